@@ -1,0 +1,15 @@
+#include <core/run/failure.hpp>
+
+#include <charconv>
+#include <cmath>
+
+namespace wend::core {
+
+std::string as_text(double value) {
+  if (std::isnan(value)) return "NaN";
+  if (std::isinf(value)) return value > 0 ? "infinity" : "-infinity";
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+}  // namespace wend::core

@@ -1,0 +1,158 @@
+// Measures the arena through its C table: ns a ray, and steps a second of one robot with six beams of 8 m among discs
+// in 100 x 100 m, in thread CPU time.  Not a test; run it by hand on an idle machine:  bench_arena [seconds a slice]
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+#include <wend/plugin.hpp>
+
+#include "../scenes/scene_file.hpp"
+
+namespace {
+
+constexpr std::uint32_t copies = 64, beams = 6;
+constexpr double reach = 8;
+
+double now() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+volatile double sink;  // or the compiler would drop what nobody reads
+
+// Discs of 0.3 to 1.2 m; a quarter of that where they are many.  The goal is too small to be met.
+arena::Scene scene_of(int n) {
+  arena::Scene scene;
+  wend::Random random(static_cast<std::uint64_t>(n));
+  for (int k = 0; k < n; ++k) {
+    const arena::Disc disc{random.uniform(0, 100), random.uniform(0, 100), random.uniform(0.3, 1.2)};
+    if (disc.x > 3 || disc.y > 3) scene.discs.push_back({disc.x, disc.y, n < 2000 ? disc.radius : 0.25 * disc.radius});
+  }
+  scene.goals = {{1, 1, 0.001, {}, 0}};
+  scene.name = "bench";
+  return scene;
+}
+
+struct Arena {
+  const wend_component* type = wend_plugin_1.components[0];
+  wend_host host{};
+  wend_object* self = nullptr;
+  const wend_world* world = nullptr;
+  const wend_geometry2d* geometry = nullptr;
+
+  explicit Arena(int obstacles) {
+    host.size = sizeof host;
+    host.fail = [](const wend_host*, wend_status code, const char* param, const char* message) {
+      std::fprintf(stderr, "%s: %s\n", param ? param : "", message);
+      return code;
+    };
+    const std::string path = "/tmp/bench_arena_" + std::to_string(::getpid()) + ".json";
+    std::ofstream(path) << arena::format_scene(scene_of(obstacles));
+    const std::map<std::string, wend_value> values{
+        {"cell", {"cell", nullptr, 1}},         {"dt", {"dt", nullptr, 0.1}},
+        {"optimal", {"optimal", nullptr, 0}},   {"scene/0", {"scene/0", path.c_str(), 0}},
+        {"substeps", {"substeps", nullptr, 1}}, {"time_limit", {"time_limit", nullptr, 1e6}},
+        {"walled", {"walled", nullptr, 1}}};
+    const wend_value robot[] = {{"body/radius", nullptr, 0.3},
+                                {"kinematics/half_track", nullptr, 0.2},
+                                {"kinematics/type", "differential", 0},
+                                {"kinematics/wheel_radius", nullptr, 0.1},
+                                {"kinematics/wheel_speed", nullptr, 20}};
+    std::vector<wend_value> table;
+    for (const auto& [key, value] : values) table.push_back(value);
+    wend_config config{};
+    config.size = sizeof config, config.copies = copies, config.robots = 1;
+    config.values = table.data(), config.value_count = static_cast<std::uint32_t>(table.size());
+    config.robot_values = robot, config.robot_value_count = 5;
+    if (type->create(&host, &config, &self) != WEND_OK) std::exit(1);
+    ::unlink(path.c_str());
+    world = static_cast<const wend_world*>(type->query(self, WEND_WORLD));
+    geometry = static_cast<const wend_geometry2d*>(type->query(self, WEND_GEOMETRY2D));
+  }
+  ~Arena() { type->destroy(self); }
+  void reset(std::uint32_t copy, std::uint64_t index) {
+    const wend_episode episode{index, wend::stream(copy, index), 1, 0, WEND_TEST};
+    if (world->reset(self, &copy, 1, &episode) != WEND_OK) std::exit(1);
+  }
+};
+
+// A batch of 64 copies for a while: sense six beams, steer away from the nearer side, step.
+struct Loop {
+  Arena& arena;
+  std::vector<std::uint32_t> all, rows;
+  std::vector<wend_pose> poses = std::vector<wend_pose>(copies), rays = std::vector<wend_pose>(copies * beams);
+  std::vector<double> ranges = std::vector<double>(copies * beams), actions = std::vector<double>(copies * 2);
+  std::vector<std::uint8_t> kinds = std::vector<std::uint8_t>(copies * beams);
+  std::vector<wend_outcome> outcomes = std::vector<wend_outcome>(copies);
+  std::uint64_t episodes = 0;
+  bool driving = true, sensing = true;
+
+  explicit Loop(Arena& a) : arena(a) {
+    for (std::uint32_t c = 0; c < copies; ++c) {
+      all.push_back(c);
+      for (std::uint32_t b = 0; b < beams; ++b) rows.push_back(c);
+      arena.reset(c, episodes++);
+    }
+    sense();
+    for (std::uint32_t c = 0; c < copies; ++c) arena.reset(c, episodes++);  // now the reach is known
+  }
+  void sense() {
+    arena.geometry->poses(arena.self, all.data(), copies, poses.data());
+    constexpr double axes[beams] = {1.3, 0.8, 0.25, -0.25, -0.8, -1.3};
+    for (std::uint32_t c = 0; c < copies; ++c)
+      for (std::uint32_t b = 0; b < beams; ++b)
+        rays[c * beams + b] = {poses[c].x, poses[c].y, poses[c].heading + axes[b]};
+    arena.geometry->cast(arena.self, rows.data(), rays.data(), copies * beams, reach,
+                         WEND_WALL | WEND_OBSTACLE | WEND_MOVER | WEND_ROBOT, ranges.data(), kinds.data());
+  }
+  void step() {
+    for (std::uint32_t c = 0; c < copies; ++c) {
+      const double* r = &ranges[c * beams];
+      const double left = std::min(r[1], r[2]), right = std::min(r[3], r[4]), near = std::min(left, right);
+      const double turn = near < 3 ? (left > right ? 6 : -6) : 0, go = near < 1 ? 0 : 10;
+      actions[2 * c] = go - turn, actions[2 * c + 1] = go + turn;
+    }
+    arena.world->step(arena.self, all.data(), copies, actions.data(), outcomes.data());
+    for (std::uint32_t c = 0; c < copies; ++c)
+      if (outcomes[c].flags != 0) arena.reset(c, episodes++), outcomes[c].flags = 0;
+  }
+  double measure(double seconds) {
+    const double begin = now();
+    std::uint64_t steps = 0;
+    do {
+      for (int k = 0; k < 50; ++k) {
+        if (sensing) sense();
+        if (driving) step();
+      }
+      steps += 50 * copies;
+    } while (now() - begin < seconds);
+    sink = ranges[0];
+    return (now() - begin) / static_cast<double>(steps);
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const double slice = argc > 1 ? std::atof(argv[1]) : 0.3;
+  std::printf("%10s %12s %12s %12s %10s\n", "obstacles", "Msteps/s", "ns/step+ray", "ns/ray", "episodes");
+  for (const int n : {0, 20, 200, 1000, 10000}) {
+    Arena arena(n);
+    Loop loop(arena);
+    double whole = 1, rays = 1;
+    for (int k = 0; k < 5; ++k) {
+      loop.sensing = loop.driving = true;
+      whole = std::min(whole, loop.measure(slice));
+      loop.driving = false;
+      rays = std::min(rays, loop.measure(slice / 4));
+    }
+    std::printf("%10d %12.2f %12.1f %12.2f %10llu\n", n, 1e-6 / whole, 1e9 * whole, 1e9 * rays / beams,
+                static_cast<unsigned long long>(loop.episodes));
+  }
+}
