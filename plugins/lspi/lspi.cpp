@@ -9,6 +9,7 @@
 //   w          weights_          Q(s, a) = phi(s, a)^T w                                               (5)
 //   gamma      options_          discount factor
 //   A, b       solver.cpp        A = Phi^T (Phi - gamma Phi'), b = Phi^T R                             (7)-(10)
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

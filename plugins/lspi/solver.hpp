@@ -18,7 +18,7 @@ struct Samples {
 struct SolverOptions {
   std::uint32_t actions = 0;      // number of actions K
   double discount = 0.9;          // gamma
-  double ridge = 1e-3;            // added to A's diagonal, as a share of that of Phi^T Phi on average
+  double ridge = 1e-3;            // added to A's diagonal, as a share of the mean diagonal of Phi^T Phi
   std::uint32_t iterations = 20;  // at most
 };
 
