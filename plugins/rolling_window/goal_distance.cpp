@@ -76,7 +76,8 @@ void GoalDistance::open(std::uint32_t cell, float g, std::uint8_t direction) {
   if (node.closed || !(g < node.g)) return;
   node.g = g, node.direction = direction;
   heap_.push_back({g + heuristic(cell), cell});
-  std::push_heap(heap_.begin(), heap_.end(), [](const Entry& a, const Entry& b) { return a.f != b.f ? a.f > b.f : a.cell > b.cell; });
+  std::push_heap(heap_.begin(), heap_.end(),
+                 [](const Entry& a, const Entry& b) { return a.f != b.f ? a.f > b.f : a.cell > b.cell; });
 }
 
 void GoalDistance::expand(std::uint32_t cell) {
@@ -86,7 +87,8 @@ void GoalDistance::expand(std::uint32_t cell) {
   const float g = nodes_[cell].g, own = nodes_[cell].factor;
   const auto side = static_cast<float>(memory_->cell());
   const auto passable = [&](long c, long r) {
-    return c >= 0 && r >= 0 && c < columns && r < rows && factor(static_cast<std::uint32_t>(r * columns + c)) != blocked;
+    return c >= 0 && r >= 0 && c < columns && r < rows &&
+           factor(static_cast<std::uint32_t>(r * columns + c)) != blocked;
   };
   for (int k = 0; k < 8; ++k) {
     const long c = column + columns_to[k], r = row + rows_to[k];

@@ -1,19 +1,20 @@
-// The cost of the best known way from any cell to the goal: A* backwards over the memory, 8-connected, no corner cutting,
-// unknown cells free.  It goes on only as far as it is asked (reverse resumable A*, Silver 2005), so that one search serves
-// the path of the robot, the window's h(p) and the heuristic of the turn-radius planner.
+// The cost of the best known way from any cell to the goal: A* backwards over the memory, 8-connected, no corner
+// cutting, unknown cells free.  It goes on only as far as it is asked (reverse resumable A*, Silver 2005), so that one
+// search serves the path of the robot, the window's h(p) and the heuristic of the turn-radius planner.
 #pragma once
-#include "grid_memory.hpp"
-#include "passage.hpp"
-
 #include <cstdint>
 #include <vector>
+
+#include "grid_memory.hpp"
+#include "passage.hpp"
 
 namespace rolling_window {
 
 class GoalDistance {
  public:
   // Starts anew.  The goal's cells are those within `goal_radius` of it; `slack` as in Passage::factor.
-  void begin(const GridMemory& memory, const Passage& passage, Point goal, double goal_radius, Point robot, double slack);
+  void begin(const GridMemory& memory, const Passage& passage, Point goal, double goal_radius, Point robot,
+             double slack);
 
   // m (weighted by clearance) from a cell's centre to the goal; infinite where there is no way.
   double cost(std::size_t cell);

@@ -10,7 +10,9 @@ namespace {
 constexpr int hit = 3, most_evidence = 9, least_evidence = -3;
 constexpr double dot_rate = 0.3;  // of a cell's point towards a new hit in it
 
-long whole(double x) noexcept { return static_cast<long>(std::floor(x)); }
+long whole(double x) noexcept {
+  return static_cast<long>(std::floor(x));
+}
 
 }  // namespace
 
@@ -24,13 +26,19 @@ void GridMemory::clear() noexcept {
   ++version_, ++extent_version_;
 }
 
-long GridMemory::column_of(double x) const noexcept { return whole(x / settings_.cell); }
-long GridMemory::row_of(double y) const noexcept { return whole(y / settings_.cell); }
+long GridMemory::column_of(double x) const noexcept {
+  return whole(x / settings_.cell);
+}
+long GridMemory::row_of(double y) const noexcept {
+  return whole(y / settings_.cell);
+}
 
 bool GridMemory::contains(double x, double y) const noexcept {
   return columns_ > 0 && inside(column_of(x), row_of(y));
 }
-std::size_t GridMemory::cell_at(double x, double y) const noexcept { return index(column_of(x), row_of(y)); }
+std::size_t GridMemory::cell_at(double x, double y) const noexcept {
+  return index(column_of(x), row_of(y));
+}
 
 Point GridMemory::centre(std::size_t cell) const noexcept {
   return {(static_cast<double>(first_column_ + static_cast<long>(cell % columns_)) + 0.5) * settings_.cell,
@@ -123,9 +131,12 @@ void GridMemory::carve(const Percept& percept, const Beam& beam) {
   long column = column_of(x), row = row_of(y);
   const long step_x = beam.cosine > 0 ? 1 : -1, step_y = beam.sine > 0 ? 1 : -1;
   const double far = 1e300;
-  const double per_x = beam.cosine != 0 ? cell / std::fabs(beam.cosine) : far, per_y = beam.sine != 0 ? cell / std::fabs(beam.sine) : far;
+  const double per_x = beam.cosine != 0 ? cell / std::fabs(beam.cosine) : far,
+               per_y = beam.sine != 0 ? cell / std::fabs(beam.sine) : far;
   const auto until = [&](double p, long c, double direction) {
-    return direction == 0 ? far : ((direction > 0 ? static_cast<double>(c + 1) : static_cast<double>(c)) * cell - p) / direction;
+    return direction == 0
+               ? far
+               : ((direction > 0 ? static_cast<double>(c + 1) : static_cast<double>(c)) * cell - p) / direction;
   };
   double next_x = until(x, column, beam.cosine), next_y = until(y, row, beam.sine), gone = 0;
   while (gone <= length && inside(column, row)) {
@@ -165,7 +176,8 @@ void GridMemory::mark(const Percept& percept, const Beam& beam) {
 double GridMemory::squared_distance(double x, double y, std::size_t at) const noexcept {
   const double corner_x = static_cast<double>(first_column_ + static_cast<long>(at % columns_)) * settings_.cell;
   const double corner_y = static_cast<double>(first_row_ + static_cast<long>(at / columns_)) * settings_.cell;
-  const double dx = corner_x + static_cast<double>(dots_[at].x) - x, dy = corner_y + static_cast<double>(dots_[at].y) - y;
+  const double dx = corner_x + static_cast<double>(dots_[at].x) - x,
+               dy = corner_y + static_cast<double>(dots_[at].y) - y;
   return dx * dx + dy * dy;
 }
 
@@ -188,10 +200,14 @@ double GridMemory::clearance(std::size_t cell) const noexcept {
 
 // Tells the cells around a newly occupied one about its point.
 void GridMemory::spread(std::size_t from) {
-  const long column = first_column_ + static_cast<long>(from % columns_), row = first_row_ + static_cast<long>(from / columns_);
-  const long c0 = std::max(column - reach_cells_, first_column_), c1 = std::min(column + reach_cells_, first_column_ + static_cast<long>(columns_) - 1);
-  const long r0 = std::max(row - reach_cells_, first_row_), r1 = std::min(row + reach_cells_, first_row_ + static_cast<long>(rows_) - 1);
-  const double limit = settings_.influence + settings_.cell, point_x = (static_cast<double>(column)) * settings_.cell + static_cast<double>(dots_[from].x),
+  const long column = first_column_ + static_cast<long>(from % columns_),
+             row = first_row_ + static_cast<long>(from / columns_);
+  const long c0 = std::max(column - reach_cells_, first_column_),
+             c1 = std::min(column + reach_cells_, first_column_ + static_cast<long>(columns_) - 1);
+  const long r0 = std::max(row - reach_cells_, first_row_),
+             r1 = std::min(row + reach_cells_, first_row_ + static_cast<long>(rows_) - 1);
+  const double limit = settings_.influence + settings_.cell,
+               point_x = (static_cast<double>(column)) * settings_.cell + static_cast<double>(dots_[from].x),
                point_y = static_cast<double>(row) * settings_.cell + static_cast<double>(dots_[from].y);
   for (long r = r0; r <= r1; ++r) {
     const double dy = (static_cast<double>(r) + 0.5) * settings_.cell - point_y;
@@ -212,7 +228,8 @@ void GridMemory::spread(std::size_t from) {
 // The cells that lost their nearest point.
 void GridMemory::collect_orphans(std::size_t removed) {
   ++version_;
-  const long column = first_column_ + static_cast<long>(removed % columns_), row = first_row_ + static_cast<long>(removed / columns_);
+  const long column = first_column_ + static_cast<long>(removed % columns_),
+             row = first_row_ + static_cast<long>(removed / columns_);
   for (long r = row - reach_cells_; r <= row + reach_cells_; ++r) {
     for (long c = column - reach_cells_; c <= column + reach_cells_; ++c) {
       if (!inside(c, r)) continue;
@@ -235,7 +252,9 @@ void GridMemory::adopt_orphans() {
       const Point p = centre(i);
       Source best = nearest_[i];
       double least = limit * limit;
-      if (best.dx != none) least = squared_distance(p.x, p.y, i + static_cast<std::size_t>(best.dx + best.dy * static_cast<long>(columns_)));
+      if (best.dx != none)
+        least =
+            squared_distance(p.x, p.y, i + static_cast<std::size_t>(best.dx + best.dy * static_cast<long>(columns_)));
       bool better = false;
       for (long dr = -1; dr <= 1; ++dr) {
         for (long dc = -1; dc <= 1; ++dc) {
@@ -254,8 +273,10 @@ void GridMemory::adopt_orphans() {
       }
       if (better) nearest_[i] = best, changed = true;
     };
-    if (sweep % 2 == 0) for (const std::size_t i : orphans_) adopt(i);
-    else for (std::size_t k = orphans_.size(); k-- > 0;) adopt(orphans_[k]);
+    if (sweep % 2 == 0)
+      for (const std::size_t i : orphans_) adopt(i);
+    else
+      for (std::size_t k = orphans_.size(); k-- > 0;) adopt(orphans_[k]);
     if (!changed) break;
   }
 }

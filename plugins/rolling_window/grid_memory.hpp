@@ -1,21 +1,21 @@
 // The memory of one episode: an occupancy grid that grows with what the robot sees, and for each cell the nearest
 // remembered surface point, so that the clearance anywhere costs one look-up and one root.
 #pragma once
-#include "percept.hpp"
-
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "percept.hpp"
 
 namespace rolling_window {
 
 class GridMemory {
  public:
   struct Settings {
-    double cell = 1;             // m
-    double influence = 6;        // m: clearances are known up to here
-    double range_noise = 0.02;   // relative standard deviation of readings
+    double cell = 1;            // m
+    double influence = 6;       // m: clearances are known up to here
+    double range_noise = 0.02;  // relative standard deviation of readings
     std::size_t most_cells = 1000000;
   };
 

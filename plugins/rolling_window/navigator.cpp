@@ -1,23 +1,26 @@
 #include "navigator.hpp"
 
-#include <wend/math.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <wend/math.hpp>
 
 namespace rolling_window {
 namespace {
 
-double distance(Point a, Point b) { return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y)); }
+double distance(Point a, Point b) {
+  return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+}
 
 // A plan must leave some room; where that finds none, less and less of it, and at last a body that is a little smaller:
 // noise and drift close gaps that are open.
 constexpr double rooms[] = {1, 0.4, 0};
 constexpr double shrunk = 0.92;
 constexpr double goal_share = 0.9;  // of the goal's radius, to arrive for sure
-constexpr double room_around = 10;  // body radii around robot and goal that plans may use; up to four times that if they fail
-constexpr std::uint32_t stuck = 6;             // decisions without driving
+constexpr double room_around =
+    10;  // body radii around robot and goal that plans may use; up to four times that if they fail
+constexpr std::uint32_t stuck = 6;            // decisions without driving
 constexpr std::uint32_t longest_escape = 25;  // decisions
+constexpr double escape_share = 0.3;          // of the top speed
 constexpr double aligned = 8 * wend::math::degree;
 constexpr std::uint32_t longest_wait = 32;  // steps until a plan that was not found is looked for again
 
@@ -28,7 +31,8 @@ Navigator::Navigator(const NavigatorSettings& settings, const wend::Steer& steer
   if (!steer.discrete()) filter_ = SafetyFilter(steer.limits(), steer.period(), settings.top_speed);
   pursuit_.look_ahead = settings.look_ahead;
   if (settings.planner == Planner::turn_radius)
-    lattice_ = TurnRadiusPlanner(Motions(steer, body, settings.grid.cell, settings.lattice.headings, settings.top_speed), settings.lattice);
+    lattice_ = TurnRadiusPlanner(
+        Motions(steer, body, settings.grid.cell, settings.lattice.headings, settings.top_speed), settings.lattice);
 }
 
 Course Navigator::start() const {
@@ -73,8 +77,9 @@ void Navigator::look_for_goal(Course& course) const {
   percept.goal = {percept.goal.x + away * wend::math::cos(turns), percept.goal.y + away * wend::math::sin(turns)};
   percept.goal_distance = distance(percept.goal, percept.at());
   if (percept.goal_distance > 0)
-    percept.goal_bearing = wend::math::wrap_angle(
-        wend::math::atan2(percept.goal.y - percept.motion.y, percept.goal.x - percept.motion.x) - percept.motion.heading);
+    percept.goal_bearing =
+        wend::math::wrap_angle(wend::math::atan2(percept.goal.y - percept.motion.y, percept.goal.x - percept.motion.x) -
+                               percept.motion.heading);
 }
 
 // ---- memory and plans
@@ -106,14 +111,16 @@ void Navigator::plan(Course& course) {
     for (const double room : rooms)
       if (!course.planned) course.planned = search(course, body, room * settings_.margin, false);
     if (!course.planned) course.planned = search(course, shrunk * body, 0, true);
-    course.patience = course.planned || settings_.planner != Planner::grid ? 0 : std::min(longest_wait, 2 * course.patience + 1);
+    course.patience =
+        course.planned || settings_.planner != Planner::grid ? 0 : std::min(longest_wait, 2 * course.patience + 1);
     if (!course.planned) course.padding = std::min(1.5 * course.padding, 4 * room_around * course.percept.body);
   }
 }
 
 void Navigator::refresh_distance(Course& course, const Passage& passage, double slack) const {
   const Percept& percept = course.percept;
-  const bool same = course.map_of_distance == course.memory.version() && course.inflation_of_distance == passage.inflation &&
+  const bool same = course.map_of_distance == course.memory.version() &&
+                    course.inflation_of_distance == passage.inflation &&
                     distance(course.goal_of_distance, percept.goal) < 0.5 * settings_.grid.cell &&
                     passage.start_clearance >= passage.inflation;
   if (same) return;
@@ -128,7 +135,11 @@ bool Navigator::search(Course& course, double body, double room, bool last) {
   const Percept& percept = course.percept;
   const bool grid = settings_.planner == Planner::grid;  // it may squeeze through, at a price; motions keep their room
   if (grid && room < settings_.margin && !last) return false;
-  Passage passage{grid ? body : body + room, settings_.clearance_range, settings_.clearance_weight, grid ? settings_.margin : 0, {}};
+  Passage passage{grid ? body : body + room,
+                  settings_.clearance_range,
+                  settings_.clearance_weight,
+                  grid ? settings_.margin : 0,
+                  {}};
   passage.start_at(percept.at(), course.memory.clearance(percept.motion.x, percept.motion.y), percept.body);
   course.passage = passage;
   if (grid) {
@@ -142,7 +153,8 @@ bool Navigator::search(Course& course, double body, double room, bool last) {
   refresh_distance(course, passage, 0.5 * settings_.grid.cell);
   const auto result = lattice_.plan(course.memory, passage, course.to_goal, percept.motion, percept.goal,
                                     goal_share * percept.goal_radius, trial_);
-  if (trial_.size() > course.plan.size() || (result != TurnRadiusPlanner::Result::trapped && !trial_.empty())) course.plan = trial_;
+  if (trial_.size() > course.plan.size() || (result != TurnRadiusPlanner::Result::trapped && !trial_.empty()))
+    course.plan = trial_;
   course.plan_at = 0;
   return !course.plan.empty() && (last || result != TurnRadiusPlanner::Result::trapped);
 }
@@ -180,8 +192,10 @@ bool Navigator::path_holds(Course& course) const {
   for (std::size_t k = course.path_at; k < course.path.size() && gone <= reach; ++k) {
     const Point& p = course.path[k];
     if (course.memory.clearance(p.x, p.y) < course.passage.least(p.x, p.y)) return false;
-    if (k + 2 < course.path.size()) gone += distance(p, course.path[k + 1]);
-    else break;  // what stands on the goal does not spoil the path to it
+    if (k + 2 < course.path.size())
+      gone += distance(p, course.path[k + 1]);
+    else
+      break;  // what stands on the goal does not spoil the path to it
   }
   return true;
 }
@@ -191,16 +205,14 @@ bool Navigator::path_holds(Course& course) const {
 void Navigator::choose_subgoal(Course& course) {
   const Percept& percept = course.percept;
   if (course.planned) {
-    if (percept.goal_distance <= settings_.radius) {
-      course.subgoal = {percept.goal, percept.goal_distance, true, true};
-    } else {
-      course.subgoal = {along_path(course, settings_.radius), 0, false, true};
-    }
+    const bool inside = percept.goal_distance <= settings_.radius && sees_straight(course, percept.goal);
+    course.subgoal = {inside ? percept.goal : seen_along_path(course, settings_.radius), 0, inside, true};
     return;
   }
   const double body = percept.body + steer_.limits().stop_distance;
   const bool remembers = settings_.memory && !course.plain;
-  const bool learned = remembers && settings_.planner == Planner::none;  // h(p) of the memory, where it is not the planner's
+  const bool learned =
+      remembers && settings_.planner == Planner::none;  // h(p) of the memory, where it is not the planner's
   if (learned) {
     Passage passage{body, settings_.clearance_range, settings_.clearance_weight, settings_.margin, {}};
     passage.start_at(percept.at(), course.memory.clearance(percept.motion.x, percept.motion.y), percept.body);
@@ -237,7 +249,9 @@ Point Navigator::along_path(const Course& course, double length) const {
   if (settings_.planner == Planner::grid) {
     for (std::size_t k = course.path_at; k < course.path.size() && walk(course.path[k]);) ++k;
   } else {
-    for (std::size_t k = course.plan_at; k < course.plan.size() && walk({course.plan[k].pose.x, course.plan[k].pose.y});) ++k;
+    for (std::size_t k = course.plan_at;
+         k < course.plan.size() && walk({course.plan[k].pose.x, course.plan[k].pose.y});)
+      ++k;
   }
   return at;
 }
@@ -254,13 +268,10 @@ bool Navigator::sees_straight(const Course& course, Point to) const {
   return true;
 }
 
-// What to steer to: on the path the farthest point within the look-ahead that is seen straight.
-Point Navigator::target(const Course& course) const {
-  if (!course.planned) return course.subgoal.at;
-  const double least = 2 * settings_.grid.cell;
-  double length = settings_.look_ahead;
+// The farthest point of the plan within this length whose straight way is free.
+Point Navigator::seen_along_path(const Course& course, double length) const {
   Point to = along_path(course, length);
-  while (length > least && !sees_straight(course, to)) to = along_path(course, length *= 0.8);
+  while (length > 2 * settings_.grid.cell && !sees_straight(course, to)) to = along_path(course, length *= 0.8);
   return to;
 }
 
@@ -271,40 +282,52 @@ void Navigator::drive(Course& course, std::span<double> action) {
     action[0] = lattice_.motions().all[step.motion].action[0];
     return;
   }
-  const Point to = target(course);
+  const Point to = course.planned ? seen_along_path(course, settings_.look_ahead) : course.subgoal.at;
   if (steer_.discrete()) {
     const double dx = to.x - percept.motion.x, dy = to.y - percept.motion.y;
-    const double bearing = dx == 0 && dy == 0 ? percept.goal_bearing : wend::math::atan2(dy, dx) - percept.motion.heading;
+    const double bearing =
+        dx == 0 && dy == 0 ? percept.goal_bearing : wend::math::atan2(dy, dx) - percept.motion.heading;
     steer_.towards(bearing, wend::Steer::as_fast_as_possible, action);
     return;
   }
   if (course.planned && settings_.planner == Planner::turn_radius) ++course.plan_at;
+  const Drive drive = pursue(course, to);
+  steer_.drive(drive.speed, drive.turn_rate, action);
+}
+
+// Continuous actions: pursuit of the point, or of the way out where the robot is wedged, made safe.
+Drive Navigator::pursue(Course& course, Point to) const {
+  const Percept& percept = course.percept;
   const GridMemory* memory = settings_.memory && !course.plain ? &course.memory : nullptr;
   Pursuit pursuit = pursuit_;
-  Point target_now = to;
   if (settings_.filter && course.escaping == 0 && course.standing >= stuck) {
     // Wedged: no arc is free, but there may be a straight way off once the robot has turned to it.
     const double bearing = wend::math::atan2(to.y - percept.motion.y, to.x - percept.motion.x) - percept.motion.heading;
     const double out = percept.motion.heading + filter_.way_out(percept, memory, settings_.safety_margin, bearing);
-    course.escape = {percept.motion.x + percept.body * wend::math::cos(out), percept.motion.y + percept.body * wend::math::sin(out)};
+    course.escape = {percept.motion.x + percept.body * wend::math::cos(out),
+                     percept.motion.y + percept.body * wend::math::sin(out)};
     course.escaping = longest_escape;
   }
   if (course.escaping > 0) {
     --course.escaping;
-    target_now = course.escape;
+    to = course.escape;
     pursuit.turn_in_place = aligned;
     if (distance(percept.at(), course.escape) < 0.5 * percept.body) course.escaping = 0;
   }
-  Drive wanted = pursuit.towards(percept, target_now, steer_.limits(), course.escaping ? 0.3 * settings_.top_speed : settings_.top_speed, steer_.period());
+  Drive wanted =
+      pursuit.towards(percept, to, steer_.limits(),
+                      course.escaping > 0 ? escape_share * settings_.top_speed : settings_.top_speed, steer_.period());
   const bool wants_to_drive = wanted.speed > 0;  // who only turns does not stand
   if (settings_.filter) {
     // Who stands for long gives up more and more of the margin.
     const double margin = settings_.safety_margin * std::max(0.3, 1 - course.standing / 7.0);
     wanted = filter_.nearest_safe(percept, memory, margin, wanted);
   }
-  if (std::fabs(wanted.speed) >= 0.02 * settings_.top_speed) course.standing -= course.standing > 0;
-  else if (wants_to_drive) course.standing += course.standing < 10;
-  steer_.drive(wanted.speed, wanted.turn_rate, action);
+  if (std::fabs(wanted.speed) >= 0.02 * settings_.top_speed)
+    course.standing -= course.standing > 0;
+  else if (wants_to_drive)
+    course.standing += course.standing < 10;
+  return wanted;
 }
 
 std::string Navigator::explain(const Course& course) const {

@@ -1,17 +1,17 @@
 // Where a body may pass and how dear a way is: inflation by the body's radius, and a cost for being near obstacles.
 #pragma once
-#include "grid_memory.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "grid_memory.hpp"
 
 namespace rolling_window {
 
 struct Passage {
-  double inflation = 3;        // m: least clearance of the centre
-  double range = 3;            // m beyond the inflation within which a way is dearer
-  double weight = 3;           // a way along the inflation costs 1 + weight times its length
-  double margin = 0;           // m beyond the inflation, entered only where there is no other way
+  double inflation = 3;  // m: least clearance of the centre
+  double range = 3;      // m beyond the inflation within which a way is dearer
+  double weight = 3;     // a way along the inflation costs 1 + weight times its length
+  double margin = 0;     // m beyond the inflation, entered only where there is no other way
   // A robot that stands nearer to something than the inflation (noise, drift) may leave: around it the least
   // clearance is what it has now.
   Point start;

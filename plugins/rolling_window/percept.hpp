@@ -11,17 +11,17 @@ struct Point {
 };
 
 struct Beam {
-  double bearing = 0;     // rad, relative to the heading
-  double range = 0;       // m, from the rim
+  double bearing = 0;           // rad, relative to the heading
+  double range = 0;             // m, from the rim
   double cosine = 1, sine = 0;  // of bearing + heading
-  bool hit = false;       // it met a surface: range < reach
+  bool hit = false;             // it met a surface: range < reach
 };
 
 struct Percept {
-  wend_motion motion{};   // pose, speed and turn rate as the pose sensor believes them; all 0 without one
+  wend_motion motion{};  // pose, speed and turn rate as the pose sensor believes them; all 0 without one
   Point goal;
   double goal_distance = 0, goal_bearing = 0, goal_radius = 0;
-  double body = 0;        // m, radius of the robot
+  double body = 0;  // m, radius of the robot
   std::vector<Beam> window, sonar;
   std::vector<Point> surface;  // where the beams of both met something
 

@@ -1,21 +1,21 @@
 // Continuous actions: pure pursuit (Coulter 1992) of a point on the path.
 #pragma once
-#include "percept.hpp"
-#include "safety_filter.hpp"
-
-#include <wend/math.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <wend/math.hpp>
+
+#include "percept.hpp"
+#include "safety_filter.hpp"
 
 namespace rolling_window {
 
 struct Pursuit {
-  double look_ahead = 0.8;  // m
+  double look_ahead = 0.8;                         // m
   double turn_in_place = 60 * wend::math::degree;  // from this bearing on, where the body can
 
   // Speed and turn rate of the arc through the target; `top_speed` m/s.
-  Drive towards(const Percept& percept, Point target, const wend_limits& limits, double top_speed, double period) const {
+  Drive towards(const Percept& percept, Point target, const wend_limits& limits, double top_speed,
+                double period) const {
     const double dx = target.x - percept.motion.x, dy = target.y - percept.motion.y;
     const double distance = std::max(1e-6, wend::math::hypot(dx, dy));
     const double bearing = wend::math::wrap_angle(wend::math::atan2(dy, dx) - percept.motion.heading);

@@ -1,8 +1,7 @@
 #include "reader.hpp"
 
-#include <wend/math.hpp>
-
 #include <algorithm>
+#include <wend/math.hpp>
 
 namespace rolling_window {
 namespace {
@@ -31,10 +30,12 @@ Reader::Reader(const wend::Config& config, double body, bool needs_pose) : body_
   bearing_ = wend::Reading(space, goal + ".bearing", "goal");
   radius_ = wend::Reading(space, goal + ".radius", "goal");
   if (!needs_pose && !offers(space, {pose + ".x"})) return;
-  for (const char* name : {".x", ".y", ".heading", ".speed", ".turn_rate"}) pose_.emplace_back(space, pose + name, "pose");
+  for (const char* name : {".x", ".y", ".heading", ".speed", ".turn_rate"})
+    pose_.emplace_back(space, pose + name, "pose");
 }
 
-void Reader::read_beams(const wend::Reading& from, std::span<const double> observation, double heading, std::vector<Beam>& beams) {
+void Reader::read_beams(const wend::Reading& from, std::span<const double> observation, double heading,
+                        std::vector<Beam>& beams) {
   beams.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     Beam& beam = beams[i];
@@ -49,7 +50,8 @@ void Reader::read(std::span<const double> observation, Percept& percept) const {
   percept.body = body_;
   percept.motion = {};
   if (!pose_.empty())
-    percept.motion = {pose_[0](observation), pose_[1](observation), pose_[2](observation), pose_[3](observation), pose_[4](observation)};
+    percept.motion = {pose_[0](observation), pose_[1](observation), pose_[2](observation), pose_[3](observation),
+                      pose_[4](observation)};
   const wend_motion& motion = percept.motion;
   percept.goal_distance = distance_(observation);
   percept.goal_bearing = bearing_(observation);
@@ -62,7 +64,8 @@ void Reader::read(std::span<const double> observation, Percept& percept) const {
   percept.surface.clear();
   for (const Beam& beam : percept.window)
     if (beam.hit)
-      percept.surface.push_back({motion.x + (body_ + beam.range) * beam.cosine, motion.y + (body_ + beam.range) * beam.sine});
+      percept.surface.push_back(
+          {motion.x + (body_ + beam.range) * beam.cosine, motion.y + (body_ + beam.range) * beam.sine});
 }
 
 }  // namespace rolling_window

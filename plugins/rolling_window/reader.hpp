@@ -1,13 +1,12 @@
 // From observation columns to a Percept.
 #pragma once
-#include "percept.hpp"
-
-#include <wend/config.hpp>
-#include <wend/reading.hpp>
-
 #include <span>
 #include <string>
 #include <vector>
+#include <wend/config.hpp>
+#include <wend/reading.hpp>
+
+#include "percept.hpp"
 
 namespace rolling_window {
 
@@ -20,7 +19,8 @@ class Reader {
   void read(std::span<const double> observation, Percept& percept) const;
 
  private:
-  static void read_beams(const wend::Reading& from, std::span<const double> observation, double heading, std::vector<Beam>& beams);
+  static void read_beams(const wend::Reading& from, std::span<const double> observation, double heading,
+                         std::vector<Beam>& beams);
 
   wend::Reading window_, sonar_, distance_, bearing_, radius_;
   std::vector<wend::Reading> pose_;  // x, y, heading, speed, turn_rate; or none

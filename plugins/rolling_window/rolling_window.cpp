@@ -1,7 +1,7 @@
 // wend.rolling_window: rolling windows, with memory, planners and a slot for avoidance.
 //
-// Liu C., Li Z., Huang Z., Zuo L., Wu J., Xu X.: A reactive navigation method of mobile robots based on LSPI and rolling
-// windows; J. Central South University (Science and Technology) 44(3), 2013, 970-977; sections 2.2 and 2.3.
+// Liu C., Li Z., Huang Z., Zuo L., Wu J., Xu X.: A reactive navigation method of mobile robots based on LSPI and
+// rolling windows; J. Central South University (Science and Technology) 44(3), 2013, 970-977; sections 2.2 and 2.3.
 //
 //   symbol     here                                  equation
 //   r_w        radius (SubgoalChooser)               Win(p_t) = {p : d(p, p_t) <= r_w}
@@ -10,17 +10,16 @@
 //   h(p)       straight distance, or GoalDistance    (12)
 //   D          switch_distance (Switching)           2.3, step 3
 //   epsilon    one period of the robot's actions     2.2
-#include "navigator.hpp"
-#include "reader.hpp"
-
-#include <wend/plugin.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
+#include <wend/plugin.hpp>
+
+#include "navigator.hpp"
+#include "reader.hpp"
 
 namespace rolling_window {
 namespace {
@@ -39,7 +38,8 @@ NavigatorSettings settings_of(const wend::Config& config, const wend::Steer& ste
     s.planner = planner == "grid" ? Planner::grid : planner == "turn_radius" ? Planner::turn_radius : Planner::none;
   }
   if (s.planner != Planner::none && !s.memory)
-    throw wend::parameter_error("planner", "expected none or auto where memory is none, found " + planner + "; set memory to grid");
+    throw wend::parameter_error(
+        "planner", "expected none or auto where memory is none, found " + planner + "; set memory to grid");
   s.radius = params.number("radius");
   s.candidates = params.count("candidates");
   s.margin = params.number_or("margin", body / 6);
@@ -63,7 +63,8 @@ NavigatorSettings settings_of(const wend::Config& config, const wend::Steer& ste
     throw wend::parameter_error("speed", "expected a greatest speed, as the body has none; found none");
   if (s.grid.influence / s.grid.cell > 1000)
     throw wend::parameter_error("cell", "expected at least a thousandth of the clearance that plans look at, " +
-                                            std::to_string(s.grid.influence) + " m, found " + std::to_string(s.grid.cell));
+                                            std::to_string(s.grid.influence) + " m, found " +
+                                            std::to_string(s.grid.cell));
   return s;
 }
 
@@ -71,8 +72,7 @@ NavigatorSettings settings_of(const wend::Config& config, const wend::Steer& ste
 
 class RollingWindow {
  public:
-  explicit RollingWindow(const wend::Config& config)
-      : action_width_(config.action.width()) {
+  explicit RollingWindow(const wend::Config& config) : action_width_(config.action.width()) {
     const wend::Steer steer(config);
     const NavigatorSettings settings = settings_of(config, steer);
     navigator_ = Navigator(settings, steer, wend::BodyRef(config.use("world")));
@@ -81,7 +81,8 @@ class RollingWindow {
       avoid_ = wend::PolicyRef(*slot);
       learner_ = wend::LearnerRef(*slot);
     }
-    for (std::uint32_t row = 0; row < config.rows(); ++row) rows_.push_back({navigator_.start(), std::vector<double>(action_width_), false, false, {}});
+    for (std::uint32_t row = 0; row < config.rows(); ++row)
+      rows_.push_back({navigator_.start(), std::vector<double>(action_width_), false, false, {}});
     per_step_.discrete("avoids", 2).box("subgoal_x", "m").box("subgoal_y", "m");
     per_episode_.box("avoid_share", "1", 0, 1).box("replans", "1", 0);
   }
@@ -117,7 +118,8 @@ class RollingWindow {
     chosen_.resize(avoiding_.size() * action_width_);
     avoid_.act(avoiding_, observed_.data(), chosen_.data());
     for (std::size_t k = 0; k < places_.size(); ++k)
-      std::copy_n(chosen_.begin() + static_cast<std::ptrdiff_t>(k * action_width_), action_width_, actions[places_[k]].begin());
+      std::copy_n(chosen_.begin() + static_cast<std::ptrdiff_t>(k * action_width_), action_width_,
+                  actions[places_[k]].begin());
   }
 
   // ---- learner: passes on the steps that the slot acted in
@@ -132,14 +134,19 @@ class RollingWindow {
         row.decided = true;
         if (!row.course.avoids) outcome.flags |= WEND_HANDED_OVER;
       }
-      const auto append = [](std::vector<double>& all, std::span<const double> more) { all.insert(all.end(), more.begin(), more.end()); };
+      const auto append = [](std::vector<double>& all, std::span<const double> more) {
+        all.insert(all.end(), more.begin(), more.end());
+      };
       avoiding_.push_back(batch.rows[i]);
-      append(observed_, batch.observations[i]), append(chosen_, batch.actions[i]), append(next_, batch.next_observations[i]);
+      append(observed_, batch.observations[i]), append(chosen_, batch.actions[i]),
+          append(next_, batch.next_observations[i]);
       outcomes_.push_back(outcome);
     }
     if (avoiding_.empty()) return 0;
-    const wend_batch passed{sizeof(wend_batch), static_cast<std::uint32_t>(avoiding_.size()), avoiding_.data(), observed_.data(),
-                            chosen_.data(), next_.data(), outcomes_.data()};
+    const wend_batch passed{sizeof(wend_batch), static_cast<std::uint32_t>(avoiding_.size()),
+                            avoiding_.data(),   observed_.data(),
+                            chosen_.data(),     next_.data(),
+                            outcomes_.data()};
     return learner_.learn(passed);
   }
   void finish() { learner_.finish(); }

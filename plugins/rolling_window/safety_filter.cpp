@@ -1,9 +1,8 @@
 #include "safety_filter.hpp"
 
-#include <wend/math.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <wend/math.hpp>
 
 namespace rolling_window {
 namespace {
@@ -12,16 +11,18 @@ constexpr double brake_reserve = 1.2;  // stopping distances are this much longe
 constexpr double shares[] = {1, 0.85, 0.7, 0.55, 0.4, 0.28, 0.18, 0.1, 0.05};
 constexpr double turns[] = {0, 0.1, -0.1, 0.2, -0.2, 0.35, -0.35, 0.5, -0.5, 0.75, -0.75, 1, -1};
 constexpr double turn_cost = 0.8;
-constexpr double brisk = 0.35;          // share of the top speed from which on the whole margin is kept
-constexpr double crawl = 0.4;           // share of the margin that is kept at a crawl
-constexpr double bends[] = {0, 0.3, -0.3, 0.7, -0.7, 1.2, -1.2, 2, -2};  // body radius over the arc's, of emergency braking
+constexpr double brisk = 0.35;  // share of the top speed from which on the whole margin is kept
+constexpr double crawl = 0.4;   // share of the margin that is kept at a crawl
+constexpr double bends[] = {0,   0.3,  -0.3, 0.7, -0.7,
+                            1.2, -1.2, 2,    -2};  // body radius over the arc's, of emergency braking
 
 }  // namespace
 
 SafetyFilter::SafetyFilter(const wend_limits& limits, double period, double top_speed)
     : limits_(limits), period_(period), top_speed_(top_speed) {
   for (const double share : shares)
-    for (const double turn : turns) candidates_.push_back({share, turn * std::min(limits.turn_rate, wend::math::half_pi)});
+    for (const double turn : turns)
+      candidates_.push_back({share, turn * std::min(limits.turn_rate, wend::math::half_pi)});
   const double most = std::min(limits.turn_rate, wend::math::half_pi);
   std::stable_sort(candidates_.begin(), candidates_.end(), [&](const Candidate& a, const Candidate& b) {
     const auto cost = [&](const Candidate& c) { return 1 - c.speed_share + turn_cost * std::fabs(c.turn) / most; };
@@ -31,8 +32,10 @@ SafetyFilter::SafetyFilter(const wend_limits& limits, double period, double top_
 
 Drive SafetyFilter::reachable(const wend_motion& motion, Drive wanted) const {
   const double dv = limits_.acceleration * period_, dw = limits_.turn_acceleration * period_;
-  return {std::clamp(std::clamp(wanted.speed, limits_.speed_low, limits_.speed_high), motion.speed - dv, motion.speed + dv),
-          std::clamp(std::clamp(wanted.turn_rate, -limits_.turn_rate, limits_.turn_rate), motion.turn_rate - dw, motion.turn_rate + dw)};
+  return {
+      std::clamp(std::clamp(wanted.speed, limits_.speed_low, limits_.speed_high), motion.speed - dv, motion.speed + dv),
+      std::clamp(std::clamp(wanted.turn_rate, -limits_.turn_rate, limits_.turn_rate), motion.turn_rate - dw,
+                 motion.turn_rate + dw)};
 }
 
 // m from a place to the nearest surface, as far as it matters whether it is less than `needed`.
@@ -50,7 +53,8 @@ double SafetyFilter::clearance(const Percept& percept, const GridMemory* memory,
 
 // The least clearance along the arc of one period and of the braking that could follow it; at most `needed`, and not
 // looked at beyond the first place that is below `enough`.
-double SafetyFilter::least_clearance(const Percept& percept, const GridMemory* memory, double needed, double enough, Drive drive) const {
+double SafetyFilter::least_clearance(const Percept& percept, const GridMemory* memory, double needed, double enough,
+                                     Drive drive) const {
   const double speed = std::fabs(drive.speed);
   const double braking = std::isfinite(limits_.acceleration) ? speed * speed / (2 * limits_.acceleration) : 0;
   const double length = brake_reserve * (speed * period_ + braking);
@@ -64,7 +68,8 @@ double SafetyFilter::least_clearance(const Percept& percept, const GridMemory* m
     const double chord = direction * s * (std::fabs(half) < 1e-6 ? 1 : wend::math::sin(half) / half);
     double sine, cosine;
     wend::math::sincos(percept.motion.heading + direction * half, sine, cosine);
-    least = std::min(least, clearance(percept, memory, percept.motion.x + chord * cosine, percept.motion.y + chord * sine, needed));
+    least = std::min(
+        least, clearance(percept, memory, percept.motion.x + chord * cosine, percept.motion.y + chord * sine, needed));
   }
   return least;
 }
@@ -72,7 +77,8 @@ double SafetyFilter::least_clearance(const Percept& percept, const GridMemory* m
 Drive SafetyFilter::nearest_safe(const Percept& percept, const GridMemory* memory, double margin, Drive wanted) const {
   // Where the robot is already too near, it may go wherever it does not come nearer.
   const double touching = percept.body + limits_.stop_distance;
-  const double now = clearance(percept, memory, percept.motion.x, percept.motion.y, touching + margin) - 1e-3 * percept.body;
+  const double now =
+      clearance(percept, memory, percept.motion.x, percept.motion.y, touching + margin) - 1e-3 * percept.body;
   // The slower, the less room is kept: narrow gaps are passed at a crawl.
   const auto needed_at = [&](double speed) {
     return std::min(now, touching + margin * std::clamp(std::fabs(speed) / (brisk * top_speed_), crawl, 1.0));

@@ -1,11 +1,12 @@
-// Continuous actions: from the wanted speed and turn rate to the nearest pair after which the robot can still stop before
-// anything it sees or remembers (after the dynamic window of Fox, Burgard and Thrun 1997, with arcs up to the stop).
+// Continuous actions: from the wanted speed and turn rate to the nearest pair after which the robot can still stop
+// before anything it sees or remembers (after the dynamic window of Fox, Burgard and Thrun 1997, with arcs up to the
+// stop).
 #pragma once
-#include "grid_memory.hpp"
-#include "percept.hpp"
-
 #include <span>
 #include <vector>
+
+#include "grid_memory.hpp"
+#include "percept.hpp"
 
 namespace rolling_window {
 
@@ -32,7 +33,8 @@ class SafetyFilter {
   struct Candidate {
     double speed_share, turn;  // of the wanted speed; added to the wanted curve, rad/s
   };
-  double least_clearance(const Percept& percept, const GridMemory* memory, double needed, double enough, Drive drive) const;
+  double least_clearance(const Percept& percept, const GridMemory* memory, double needed, double enough,
+                         Drive drive) const;
   Drive brake(const Percept& percept, const GridMemory* memory, double needed, Drive wanted) const;
   static double clearance(const Percept& percept, const GridMemory* memory, double x, double y, double needed);
 

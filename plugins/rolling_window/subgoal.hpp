@@ -1,14 +1,13 @@
 // The window's subgoal, equation (12) of Liu et al. 2013: the goal if it lies inside, else the free point p on the rim
 // with the least f(p) = g(p) + h(p).
 #pragma once
-#include "percept.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
-
 #include <wend/math.hpp>
+
+#include "percept.hpp"
 
 namespace rolling_window {
 
@@ -19,8 +18,10 @@ struct Subgoal {
   bool free = true;  // a straight way to it is free inside the window
 };
 
-// How far a disc of radius `body` gets from `from` along a unit vector before it touches one of the points; at most `length`.
-inline double free_length(std::span<const Point> surface, Point from, double ux, double uy, double body, double length) {
+// How far a disc of radius `body` gets from `from` along a unit vector before it touches one of the points; at most
+// `length`.
+inline double free_length(std::span<const Point> surface, Point from, double ux, double uy, double body,
+                          double length) {
   for (const Point& p : surface) {
     const double dx = p.x - from.x, dy = p.y - from.y, along = dx * ux + dy * uy, across = dx * uy - dy * ux;
     if (along <= 0 || std::fabs(across) >= body) continue;
@@ -41,8 +42,8 @@ class SubgoalChooser {
   double radius() const noexcept { return radius_; }
 
   // `free`: m that the body can go straight from its place along a unit vector, at most the length given.
-  // `h`: estimated m from a point to the goal.  Candidates are counted from the direction of the goal, so that equal ones
-  // do not depend on the frame.
+  // `h`: estimated m from a point to the goal.  Candidates are counted from the direction of the goal, so that equal
+  // ones do not depend on the frame.
   template <class Free, class Estimate>
   Subgoal choose(const Percept& percept, Free&& free, Estimate&& h) const {
     const Point at = percept.at();

@@ -1,13 +1,12 @@
-// When the robot avoids instead of seeking the subgoal.  A: the paper's, whenever a sonar reads at most D.  B: only where
-// something within D is in the way.
+// When the robot avoids instead of seeking the subgoal.  A: the paper's, whenever a sonar reads at most D.  B: only
+// where something within D is in the way.
 #pragma once
-#include "percept.hpp"
-#include "subgoal.hpp"
-
-#include <wend/math.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <wend/math.hpp>
+
+#include "percept.hpp"
+#include "subgoal.hpp"
 
 namespace rolling_window {
 
@@ -20,9 +19,12 @@ struct Switching {
 
   bool avoids(const Percept& percept, Point subgoal) const {
     switch (rule) {
-      case Switch::never: return false;
-      case Switch::a: return nearest(percept, wend::math::pi) <= distance;
-      case Switch::b: break;
+      case Switch::never:
+        return false;
+      case Switch::a:
+        return nearest(percept, wend::math::pi) <= distance;
+      case Switch::b:
+        break;
     }
     return nearest(percept, cone) <= distance / 2 || blocked(percept, subgoal);
   }

@@ -1,9 +1,8 @@
 #include "turn_radius_planner.hpp"
 
-#include <wend/math.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <wend/math.hpp>
 
 namespace rolling_window {
 namespace {
@@ -35,7 +34,8 @@ TurnRadiusPlanner::Best& TurnRadiusPlanner::slot(std::uint64_t key) {
 
 std::uint64_t TurnRadiusPlanner::key(const GridMemory& memory, double x, double y, double heading) const {
   const auto n = static_cast<double>(settings_.headings);
-  auto bin = static_cast<std::int64_t>(std::floor(heading / wend::math::two_pi * n + 0.5)) % static_cast<std::int64_t>(n);
+  auto bin =
+      static_cast<std::int64_t>(std::floor(heading / wend::math::two_pi * n + 0.5)) % static_cast<std::int64_t>(n);
   if (bin < 0) bin += static_cast<std::int64_t>(settings_.headings);
   return memory.cell_at(x, y) * settings_.headings + static_cast<std::uint64_t>(bin);
 }
@@ -64,7 +64,8 @@ void TurnRadiusPlanner::push(const Node& node, const GridMemory& memory) {
   std::push_heap(open_.begin(), open_.end(), Later());
 }
 
-void TurnRadiusPlanner::expand(std::int32_t from, const GridMemory& memory, const Passage& passage, GoalDistance& to_goal) {
+void TurnRadiusPlanner::expand(std::int32_t from, const GridMemory& memory, const Passage& passage,
+                               GoalDistance& to_goal) {
   const Node node = nodes_[static_cast<std::size_t>(from)];
   double sine, cosine;
   wend::math::sincos(node.heading, sine, cosine);
@@ -86,9 +87,9 @@ void TurnRadiusPlanner::expand(std::int32_t from, const GridMemory& memory, cons
   }
 }
 
-TurnRadiusPlanner::Result TurnRadiusPlanner::plan(const GridMemory& memory, const Passage& passage, GoalDistance& to_goal,
-                                                  const wend_motion& start, Point goal, double goal_radius,
-                                                  std::vector<PlannedStep>& steps) {
+TurnRadiusPlanner::Result TurnRadiusPlanner::plan(const GridMemory& memory, const Passage& passage,
+                                                  GoalDistance& to_goal, const wend_motion& start, Point goal,
+                                                  double goal_radius, std::vector<PlannedStep>& steps) {
   steps.clear();
   nodes_.clear();
   open_.clear();
@@ -101,7 +102,8 @@ TurnRadiusPlanner::Result TurnRadiusPlanner::plan(const GridMemory& memory, cons
     generation_ = 1;
   }
   if (!memory.contains(start.x, start.y)) return Result::trapped;
-  push({start.x, start.y, start.heading, 0, std::min(guide(to_goal, memory, start.x, start.y), 1e100), -1, -1, false}, memory);
+  push({start.x, start.y, start.heading, 0, std::min(guide(to_goal, memory, start.x, start.y), 1e100), -1, -1, false},
+       memory);
   std::int32_t longest = 0, nearest = 0;
   while (!open_.empty()) {
     const std::int32_t id = open_.front().node;
@@ -129,7 +131,8 @@ TurnRadiusPlanner::Result TurnRadiusPlanner::plan(const GridMemory& memory, cons
 
 void TurnRadiusPlanner::trace(std::int32_t node, std::vector<PlannedStep>& steps) {
   chain_.clear();
-  for (; nodes_[static_cast<std::size_t>(node)].parent >= 0; node = nodes_[static_cast<std::size_t>(node)].parent) chain_.push_back(node);
+  for (; nodes_[static_cast<std::size_t>(node)].parent >= 0; node = nodes_[static_cast<std::size_t>(node)].parent)
+    chain_.push_back(node);
   for (std::size_t k = chain_.size(); k-- > 0;) {
     const Node& end = nodes_[static_cast<std::size_t>(chain_[k])];
     const Node& from = nodes_[static_cast<std::size_t>(end.parent)];

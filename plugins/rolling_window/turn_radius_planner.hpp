@@ -1,11 +1,11 @@
-// Hybrid A* (Dolgov, Thrun, Montemerlo, Diebel 2010) over the robot's own motions: poses stay continuous, one is kept for
-// each cell and heading, the distance to the goal over the memory guides.
+// Hybrid A* (Dolgov, Thrun, Montemerlo, Diebel 2010) over the robot's own motions: poses stay continuous, one is kept
+// for each cell and heading, the distance to the goal over the memory guides.
 #pragma once
-#include "goal_distance.hpp"
-#include "motions.hpp"
-
 #include <cstdint>
 #include <vector>
+
+#include "goal_distance.hpp"
+#include "motions.hpp"
 
 namespace rolling_window {
 
@@ -21,14 +21,18 @@ class TurnRadiusPlanner {
     std::size_t expansions = 3000;
     double horizon = 30;  // m
   };
-  enum class Result { reached, open, trapped };  // the goal or the horizon; the budget ended; every way ends in a collision
+  enum class Result {
+    reached,
+    open,
+    trapped
+  };  // the goal or the horizon; the budget ended; every way ends in a collision
 
   TurnRadiusPlanner() = default;
   TurnRadiusPlanner(Motions motions, const Settings& settings) : motions_(std::move(motions)), settings_(settings) {}
 
   // Writes the steps of the best plan from `start`: none where every motion collides at once.
-  Result plan(const GridMemory& memory, const Passage& passage, GoalDistance& to_goal, const wend_motion& start, Point goal,
-              double goal_radius, std::vector<PlannedStep>& steps);
+  Result plan(const GridMemory& memory, const Passage& passage, GoalDistance& to_goal, const wend_motion& start,
+              Point goal, double goal_radius, std::vector<PlannedStep>& steps);
 
   const Motions& motions() const noexcept { return motions_; }
   std::size_t expanded() const noexcept { return expanded_; }

@@ -2,10 +2,10 @@
 #include "../grid_memory.hpp"
 
 #include <gtest/gtest.h>
-#include <wend/math.hpp>
-#include <wend/random.hpp>
 
 #include <cmath>
+#include <wend/math.hpp>
+#include <wend/random.hpp>
 
 using rolling_window::Beam;
 using rolling_window::GridMemory;
@@ -28,7 +28,9 @@ Percept scan(double x, double y, const std::vector<double>& ranges, double reach
   }
   return percept;
 }
-GridMemory::Settings settings(double cell = 0.25, double influence = 2) { return {cell, influence, 0.02, 1000000}; }
+GridMemory::Settings settings(double cell = 0.25, double influence = 2) {
+  return {cell, influence, 0.02, 1000000};
+}
 
 }  // namespace
 
@@ -65,7 +67,8 @@ TEST(GridMemory, ClearancesAreThoseOfBruteForce) {
     for (int b = 0; b < 8; ++b) ranges.push_back(random.uniform(0.3, 4));
     const Percept percept = scan(x, y, ranges);
     memory.observe(percept);
-    for (const Beam& beam : percept.window) points.push_back({x + (0.5 + beam.range) * beam.cosine, y + (0.5 + beam.range) * beam.sine});
+    for (const Beam& beam : percept.window)
+      points.push_back({x + (0.5 + beam.range) * beam.cosine, y + (0.5 + beam.range) * beam.sine});
   }
   int compared = 0;
   for (int k = 0; k < 5000; ++k) {

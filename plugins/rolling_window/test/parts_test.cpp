@@ -1,13 +1,13 @@
 // Subgoals, the switch, pursuit and the safety filter, each from numbers that a pencil sketch gives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <wend/math.hpp>
+
 #include "../pursuit.hpp"
 #include "../safety_filter.hpp"
 #include "../subgoal.hpp"
 #include "../switching.hpp"
-
-#include <gtest/gtest.h>
-#include <wend/math.hpp>
-
-#include <cmath>
 
 using namespace rolling_window;
 
@@ -34,10 +34,15 @@ void see(Percept& percept, double bearing, double range) {
 }
 Subgoal choose(const SubgoalChooser& chooser, const Percept& percept) {
   return chooser.choose(
-      percept, [&](double ux, double uy, double most) { return free_length(percept.surface, percept.at(), ux, uy, percept.body, most); },
+      percept,
+      [&](double ux, double uy, double most) {
+        return free_length(percept.surface, percept.at(), ux, uy, percept.body, most);
+      },
       [&](Point p) { return wend::math::hypot(p.x - percept.goal.x, p.y - percept.goal.y); });
 }
-wend_limits unicycle(double acceleration = infinity) { return {1, 0, 0, 2, wend::math::pi, acceleration, infinity, 0}; }
+wend_limits unicycle(double acceleration = infinity) {
+  return {1, 0, 0, 2, wend::math::pi, acceleration, infinity, 0};
+}
 
 }  // namespace
 
@@ -125,7 +130,8 @@ TEST(Pursuit, DrivesTheArcThroughItsTarget) {
   const Pursuit pursuit{5, wend::math::pi};
   const Percept percept = at(1, 1, 0, {50, 0});
   const Drive drive = pursuit.towards(percept, {4, 2}, unicycle(), 1, 0.1);
-  const double radius = drive.speed / drive.turn_rate;  // centre (1, 1 + radius): as far from the target as from the robot
+  const double radius =
+      drive.speed / drive.turn_rate;  // centre (1, 1 + radius): as far from the target as from the robot
   EXPECT_NEAR(9 + (1 - radius) * (1 - radius), radius * radius, 1e-9);
   EXPECT_EQ(drive.speed, 1);
 }

@@ -1,13 +1,13 @@
 // The planners over a memory: distances against Dijkstra, paths and plans against the clearance that they promise.
-#include "../goal_distance.hpp"
-#include "../turn_radius_planner.hpp"
-#include "rig.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 #include <queue>
 #include <set>
+
+#include "../goal_distance.hpp"
+#include "../turn_radius_planner.hpp"
+#include "rig.hpp"
 
 using rolling_window::Beam;
 using rolling_window::GoalDistance;
@@ -44,7 +44,8 @@ std::vector<Point> scattered(std::uint64_t seed, int n) {
 std::vector<double> dijkstra(const GridMemory& memory, const Passage& passage, Point goal) {
   const auto w = static_cast<int>(memory.columns()), h = static_cast<int>(memory.rows());
   std::vector<double> factor(memory.size()), best(memory.size(), 1e300);
-  for (std::size_t i = 0; i < memory.size(); ++i) factor[i] = passage.factor(memory.clearance(i), memory.centre(i).x, memory.centre(i).y);
+  for (std::size_t i = 0; i < memory.size(); ++i)
+    factor[i] = passage.factor(memory.clearance(i), memory.centre(i).x, memory.centre(i).y);
   std::set<std::pair<double, int>> open;
   const auto from = static_cast<int>(memory.cell_at(goal.x, goal.y));
   const Point c = memory.centre(static_cast<std::size_t>(from));
@@ -54,13 +55,16 @@ std::vector<double> dijkstra(const GridMemory& memory, const Passage& passage, P
     const auto [g, k] = *open.begin();
     open.erase(open.begin());
     const int x = k % w, y = k / w;
-    const auto free = [&](int a, int b) { return a >= 0 && b >= 0 && a < w && b < h && factor[static_cast<std::size_t>(b * w + a)] < 1e300; };
+    const auto free = [&](int a, int b) {
+      return a >= 0 && b >= 0 && a < w && b < h && factor[static_cast<std::size_t>(b * w + a)] < 1e300;
+    };
     for (int n = 0; n < 9; ++n) {
       const int a = x + n % 3 - 1, b = y + n / 3 - 1;
       if (n == 4 || !free(a, b)) continue;
       if (n % 2 == 0 && (!free(a, y) || !free(x, b))) continue;
       const auto to = static_cast<std::size_t>(b * w + a);
-      const double cost = g + memory.cell() * (n % 2 == 0 ? std::sqrt(2.0) : 1) * 0.5 * (factor[static_cast<std::size_t>(k)] + factor[to]);
+      const double cost = g + memory.cell() * (n % 2 == 0 ? std::sqrt(2.0) : 1) * 0.5 *
+                                  (factor[static_cast<std::size_t>(k)] + factor[to]);
       if (cost < best[to]) {
         open.erase({best[to], static_cast<int>(to)});
         open.insert({best[to] = cost, static_cast<int>(to)});
@@ -138,8 +142,8 @@ TEST(TurnRadiusPlanner, MotionsAreThoseOfTheBody) {
   const Motions motions(wend::Steer(wend::Space(rig.plane()->actions().table()), body, 1), body, 1, 24, 1);
   ASSERT_EQ(motions.all.size(), 3u);
   EXPECT_EQ(motions.top_speed, 0.5);
-  EXPECT_EQ(motions.all[0].states.size(), 3u);  // 1.5 m: more than a cell's diagonal
-  EXPECT_EQ(motions.all[1].states.size(), 3u);  // 14.3 degrees: about one of 24 headings
+  EXPECT_EQ(motions.all[0].states.size(), 3u);             // 1.5 m: more than a cell's diagonal
+  EXPECT_EQ(motions.all[1].states.size(), 3u);             // 14.3 degrees: about one of 24 headings
   const wend_motion& left = motions.all[1].states.back();  // on a circle of radius 3 about (0, 3)
   EXPECT_NEAR(left.heading, 0.25, 1e-12);
   EXPECT_NEAR(left.x, 3 * std::sin(0.25), 1e-9);
@@ -149,7 +153,8 @@ TEST(TurnRadiusPlanner, MotionsAreThoseOfTheBody) {
 TEST(TurnRadiusPlanner, PlansAreDrivableAndClear) {
   rig::Rig rig(rig::simrobot());
   const wend::BodyRef body(rig.plane().ref());
-  TurnRadiusPlanner planner(Motions(wend::Steer(wend::Space(rig.plane()->actions().table()), body, 1), body, 1, 24, 1), {24, 60000, 1000});
+  TurnRadiusPlanner planner(Motions(wend::Steer(wend::Space(rig.plane()->actions().table()), body, 1), body, 1, 24, 1),
+                            {24, 60000, 1000});
   std::vector<Point> wall;
   for (double y = -30; y <= 30; y += 1) wall.push_back({20, y});
   GridMemory memory = memory_of(wall, 1, 7);
@@ -177,14 +182,17 @@ TEST(TurnRadiusPlanner, PlansAreDrivableAndClear) {
 TEST(TurnRadiusPlanner, SaysThatItIsTrapped) {
   rig::Rig rig(rig::simrobot());
   const wend::BodyRef body(rig.plane().ref());
-  TurnRadiusPlanner planner(Motions(wend::Steer(wend::Space(rig.plane()->actions().table()), body, 1), body, 1, 24, 1), {24, 3000, 1000});
+  TurnRadiusPlanner planner(Motions(wend::Steer(wend::Space(rig.plane()->actions().table()), body, 1), body, 1, 24, 1),
+                            {24, 3000, 1000});
   std::vector<Point> box;  // 9 m wide: a body of radius 3 with turn radius 3 cannot turn round in it
-  for (double s = -4.5; s <= 4.5; s += 0.5) box.push_back({s, 4.5}), box.push_back({s, -4.5}), box.push_back({4.5, s}), box.push_back({-4.5, s});
+  for (double s = -4.5; s <= 4.5; s += 0.5)
+    box.push_back({s, 4.5}), box.push_back({s, -4.5}), box.push_back({4.5, s}), box.push_back({-4.5, s});
   const GridMemory memory = memory_of(box, 1, 7);
   const Passage passage{3, 3, 3, 0, {}};
   GoalDistance distance;
   distance.begin(memory, passage, {0.5, 0.5}, 1, {0, 0}, 0.5);
   std::vector<PlannedStep> steps;
-  EXPECT_EQ(planner.plan(memory, passage, distance, {0, 0, 0, 0, 0}, {20, 0}, 1, steps), TurnRadiusPlanner::Result::trapped);
+  EXPECT_EQ(planner.plan(memory, passage, distance, {0, 0, 0, 0, 0}, {20, 0}, 1, steps),
+            TurnRadiusPlanner::Result::trapped);
   EXPECT_GT(steps.size(), 0u);  // as long as it lasts
 }

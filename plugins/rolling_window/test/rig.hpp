@@ -1,13 +1,12 @@
 // A robot with window, sonars, goal and pose sensor in a plane of discs, driven by the component through its C tables.
 #pragma once
-#include <wend/odometry.hpp>
-#include <wend/random.hpp>
-#include <wend/testing_plane.hpp>
-
 #include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
+#include <wend/odometry.hpp>
+#include <wend/random.hpp>
+#include <wend/testing_plane.hpp>
 
 namespace rig {
 
@@ -25,15 +24,19 @@ struct Robot {
 };
 
 // The SIMROBOT of Liu et al., and the disc of the BARN protocol.
-inline Robot simrobot() { return {}; }
+inline Robot simrobot() {
+  return {};
+}
 inline Robot barn(bool hard) {
   Robot robot;
   robot.limits = {0.3, 0, 0, 2, wend::math::pi, wend::math::detail::infinity, wend::math::detail::infinity, 0};
   robot.table.clear();
-  robot.dt = 0.1, robot.time_limit = 100, robot.reach = 5, robot.range_noise = 0.02, robot.actuator_noise = 0.05, robot.sonars = false;
+  robot.dt = 0.1, robot.time_limit = 100, robot.reach = 5, robot.range_noise = 0.02, robot.actuator_noise = 0.05,
+  robot.sonars = false;
   if (hard) {
     robot.limits.acceleration = 2, robot.dt = 0.2;
-    robot.drift.scale = 0.01, robot.drift.bend = 0.005, robot.drift.distance = 0.01, robot.drift.heading = 0.01, robot.drift.turn = 0.02;
+    robot.drift.scale = 0.01, robot.drift.bend = 0.005, robot.drift.distance = 0.01, robot.drift.heading = 0.01,
+    robot.drift.turn = 0.02;
   }
   return robot;
 }
@@ -56,19 +59,34 @@ class Rig {
   explicit Rig(const Robot& robot) : robot_(robot), bench_(*wend_plugin_1.components[0]) {
     plane_->body = robot.limits;
     plane_->dt = robot.dt, plane_->time_limit = robot.time_limit;
-    if (robot.table.empty()) plane_->speed_and_turn_rate();
-    else plane_->action_table(robot.table);
+    if (robot.table.empty())
+      plane_->speed_and_turn_rate();
+    else
+      plane_->action_table(robot.table);
     for (int k = 0; k < 36; ++k)
-      columns_.box("window.range." + std::to_string(k), "m", 0, robot.reach, wend::math::wrap_angle(k * 10 * wend::math::degree));
+      columns_.box("window.range." + std::to_string(k), "m", 0, robot.reach,
+                   wend::math::wrap_angle(k * 10 * wend::math::degree));
     if (robot.sonars)
       for (int k = 0; k < 6; ++k)
         columns_.box("sonar.range." + std::to_string(k), "m", 0, robot.reach, (75 - 30 * k) * wend::math::degree);
     columns_.box("goal.distance", "m").box("goal.bearing", "rad").box("goal.radius", "m");
-    columns_.box("pose.x", "m").box("pose.y", "m").box("pose.heading", "rad").box("pose.speed", "m/s").box("pose.turn_rate", "rad/s");
+    columns_.box("pose.x", "m")
+        .box("pose.y", "m")
+        .box("pose.heading", "rad")
+        .box("pose.speed", "m/s")
+        .box("pose.turn_rate", "rad/s");
     bench_.set("window", {"window.range.*"}).set("sonar", {"sonar.range.*"}).set("goal", "goal").set("pose", "pose");
-    bench_.set("radius", 8).set("candidates", 72).set("memory", "none").set("memory_cells", 1000000).set("range_noise", 0.02);
-    bench_.set("planner", "auto").set("replan", 3).set("headings", 24).set("expansions", 3000).set("clearance_weight", 3);
-    bench_.set("safety_filter", 1).set("switch", "B").set("switch_distance", 8).set("sample_with", "window");
+    bench_.set("radius", 8)
+        .set("candidates", 72)
+        .set("memory", "none")
+        .set("memory_cells", 1000000)
+        .set("range_noise", 0.02);
+    bench_.set("planner", "auto")
+        .set("replan", 3)
+        .set("headings", 24)
+        .set("expansions", 3000)
+        .set("clearance_weight", 3);
+    bench_.set("safety_filter", 1).set("switch", "B").set("switch_distance", 8).set("sample_with", "planner");
     bench_.observation(columns_).action(plane_->actions()).use("world", plane_.ref());
   }
   Bench& bench() { return bench_; }
@@ -94,7 +112,9 @@ class Rig {
     if (robot_.sonars)
       for (int k = 0; k < 6; ++k) {
         double least = robot_.reach;
-        for (int r = -3; r <= 3; ++r) least = std::min(least, ray(truth, columns_[static_cast<std::size_t>(36 + k)].at + r * 5 * wend::math::degree));
+        for (int r = -3; r <= 3; ++r)
+          least =
+              std::min(least, ray(truth, columns_[static_cast<std::size_t>(36 + k)].at + r * 5 * wend::math::degree));
         row.push_back(noisy(least));
       }
     const wend_disc& goal = plane_->goals[0];
@@ -149,7 +169,8 @@ class Rig {
     const double body = robot_.limits.radius;
     double least = robot_.reach;
     for (const wend_disc& disc : near_) {
-      const double x = disc.x - body * c, y = disc.y - body * s, along = x * c + y * s, outside = x * x + y * y - disc.radius * disc.radius;
+      const double x = disc.x - body * c, y = disc.y - body * s, along = x * c + y * s,
+                   outside = x * x + y * y - disc.radius * disc.radius;
       if (outside <= 0) return 0;
       const double root = along * along - outside;
       if (along > 0 && root >= 0) least = std::min(least, along - std::sqrt(root));
@@ -185,11 +206,14 @@ inline Scene u_trap(double width, double depth, std::uint64_t seed) {
   const double before = vary(20), behind = vary(15), total = before + depth + 2 + behind;
   const double u1 = total / 2 - behind, v = width / 2 + 2, corner = std::max(std::sqrt(u1 * u1 + v * v), total / 2);
   const double side = std::max(100.0, 2 * (corner + 10));
-  const double angle = random.uniform(-wend::math::pi, wend::math::pi), c = wend::math::cos(angle), s = wend::math::sin(angle);
+  const double angle = random.uniform(-wend::math::pi, wend::math::pi), c = wend::math::cos(angle),
+               s = wend::math::sin(angle);
   Scene scene;
   const auto x = [&](double u, double w) { return side / 2 + u * c - w * s; };
   const auto y = [&](double u, double w) { return side / 2 + u * s + w * c; };
-  const auto part = [&](double ua, double wa, double ub, double wb) { wall(scene.obstacles, x(ua, wa), y(ua, wa), x(ub, wb), y(ub, wb)); };
+  const auto part = [&](double ua, double wa, double ub, double wb) {
+    wall(scene.obstacles, x(ua, wa), y(ua, wa), x(ub, wb), y(ub, wb));
+  };
   const double open = -total / 2 + before, back = open + depth, half = width / 2 + 1;
   part(open + 1, half, back + 1, half), part(open + 1, -half, back + 1, -half), part(back + 1, -half, back + 1, half);
   scene.start = {x(-total / 2, 0), y(-total / 2, 0), random.uniform(-wend::math::pi, wend::math::pi), 0, 0};

@@ -1,7 +1,7 @@
 // The component through its C tables: who acts, what a slot is told, what it refuses, and whole episodes.
-#include "barn_like.hpp"
-
 #include <gtest/gtest.h>
+
+#include "barn_like.hpp"
 
 using rig::Outcome;
 using rig::Rig;
@@ -18,7 +18,8 @@ struct Note {
     for (std::size_t i = 0; i < rows.size(); ++i) asked.push_back({rows[i], observations[i][0]}), actions[i][0] = 2;
   }
   std::uint64_t learn(const wend::Batch& batch) {
-    for (std::size_t i = 0; i < batch.size(); ++i) learned.push_back({batch.rows[i], batch.actions[i][0], batch.outcomes[i]});
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      learned.push_back({batch.rows[i], batch.actions[i][0], batch.outcomes[i]});
     return 10 * batch.size();
   }
   void finish() { ++finished; }
@@ -60,8 +61,11 @@ std::vector<double> both(std::vector<double> a, const std::vector<double>& b) {
   return a;
 }
 std::uint64_t learn(Bench& bench, const std::vector<std::uint32_t>& rows, const std::vector<double>& before,
-                    const std::vector<double>& actions, const std::vector<double>& after, const std::vector<wend_outcome>& outcomes) {
-  const wend_batch batch{sizeof batch, static_cast<std::uint32_t>(rows.size()), rows.data(), before.data(), actions.data(), after.data(), outcomes.data()};
+                    const std::vector<double>& actions, const std::vector<double>& after,
+                    const std::vector<wend_outcome>& outcomes) {
+  const wend_batch batch{
+      sizeof batch,   static_cast<std::uint32_t>(rows.size()), rows.data(), before.data(), actions.data(), after.data(),
+      outcomes.data()};
   std::uint64_t used = 0;
   EXPECT_EQ(bench.table<wend_learner>(WEND_LEARNER)->learn(bench.ref().self, &batch, &used), WEND_OK) << bench.error();
   return used;
@@ -101,7 +105,8 @@ TEST(RollingWindow, PassesOnOnlyWhatTheSlotDidAndSaysWhereItHandsOver) {
   const auto after = both(both(near, near), both(far, far));
   const auto actions = rig.bench().act(before);
   EXPECT_EQ(actions, (std::vector<double>{0, 2, 2, 2}));
-  const std::vector<wend_outcome> outcomes{{-1, 0, 0}, {-2, 0, 0}, {-3, 0, 0}, {-4, WEND_TERMINATED | WEND_COLLIDED, 0}};
+  const std::vector<wend_outcome> outcomes{
+      {-1, 0, 0}, {-2, 0, 0}, {-3, 0, 0}, {-4, WEND_TERMINATED | WEND_COLLIDED, 0}};
   EXPECT_EQ(learn(rig.bench(), {0, 1, 2, 3}, before, actions, after, outcomes), 30u);
   ASSERT_EQ(slot->learned.size(), 3u);
   EXPECT_EQ(slot->learned[0].row, 1u);
@@ -159,11 +164,13 @@ TEST(RollingWindow, RefusesWhatCannotWork) {
   wend::Columns bare;
   bare.box("goal.distance", "m").box("goal.bearing", "rad").box("goal.radius", "m");
   EXPECT_EQ(refusal([&](Bench& b) { b.observation(bare); }),
-            "window: no column fits \"window.range.*\" or \"sonar.range.*\" of sonar; the columns are goal.distance, goal.bearing, goal.radius");
+            "window: no column fits \"window.range.*\" or \"sonar.range.*\" of sonar; the columns are goal.distance, "
+            "goal.bearing, goal.radius");
   wend::Columns no_pose;
   no_pose.box("sonar.range.0", "m", 0, 5).box("goal.distance", "m").box("goal.bearing", "rad").box("goal.radius", "m");
-  EXPECT_EQ(refusal([&](Bench& b) { b.observation(no_pose).set("memory", "grid"); }),
-            "pose/0: no column fits \"pose.x\"; the columns are sonar.range.0, goal.distance, goal.bearing, goal.radius");
+  EXPECT_EQ(
+      refusal([&](Bench& b) { b.observation(no_pose).set("memory", "grid"); }),
+      "pose/0: no column fits \"pose.x\"; the columns are sonar.range.0, goal.distance, goal.bearing, goal.radius");
 }
 
 TEST(RollingWindow, NeedsNoPoseWithoutMemory) {
@@ -181,7 +188,8 @@ TEST(RollingWindow, NotANumberIsAnError) {
   rig.bench().begin(1);
   auto row = facing(rig, 20);
   row[3] = std::nan("");
-  EXPECT_EQ(error_of([&] { rig.bench().act(row); }), "observation \"window.range.3\": expected a finite number, found NaN");
+  EXPECT_EQ(error_of([&] { rig.bench().act(row); }),
+            "observation \"window.range.3\": expected a finite number, found NaN");
 }
 
 // ---- whole episodes
