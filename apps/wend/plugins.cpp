@@ -41,7 +41,7 @@ int list(const core::Catalog& catalog, bool json) {
     std::cout << all.dump(2) << "\n";
     return 0;
   }
-  for (const auto& broken : all["unusable"]) std::cout << "unusable: " << broken["problem"].get<std::string>() << "\n";
+  for (const auto& broken : all["unusable"]) std::cout << "unusable: " << broken["file"].get<std::string>() << ": " << broken["problem"].get<std::string>() << "\n";
   if (all["components"].empty()) std::cout << "no plugins found; WEND_PLUGIN_PATH or --plugin-path says where to look\n";
   return 0;
 }

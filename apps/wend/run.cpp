@@ -66,9 +66,9 @@ int run(const Arguments& arguments) {
   if (!values.count("experiment") || values["experiment"].as<std::vector<std::string>>().size() != 1) throw Usage("expected one experiment file\nusage: wend run EXPERIMENT --out DIR");
   if (!values.count("out")) throw Usage("expected --out DIR\nusage: wend run EXPERIMENT --out DIR");
   const bool json = values.count("json") > 0;
+  const core::RunOptions options = options_of(values, arguments);
   const core::Catalog catalog = catalog_of(values);
   const core::Experiment experiment = load(values["experiment"].as<std::vector<std::string>>().front(), catalog, values);
-  const core::RunOptions options = options_of(values, arguments);
 
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);

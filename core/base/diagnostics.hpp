@@ -43,7 +43,7 @@ class Diagnostics {
 };
 
 // The candidate that somebody who typed `word` most likely meant (Damerau-Levenshtein distance of at most a third of
-// the length, case and -_ ignored; "lspi" for "wend.lspi" too), or "" if none is near.
+// the length, case and -_ ignored; "learner" for "my.learner" too), or "" if none is near.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
 // The text of a file, key or value in double quotes, fit for one line of a message: control characters escaped, invalid

@@ -18,7 +18,7 @@ struct Scope {
 
   void error(const std::string& pointer, std::string message, std::string hint = "", bool key = false) const;
 
-  // Unknown `what` `word`, such as: unknown world "ordinry" in arm "lspi".
+  // Unknown `what` `word`, such as: unknown world "ordinry" in arm "mine".
   void unknown(const std::string& pointer, const std::string& what, const std::string& word, const std::string& where,
                const std::vector<std::string>& known, bool key = false) const;
 

@@ -40,7 +40,7 @@ Manifest parse_manifest(const std::string& file, const std::string& text);
 // What messages call it: "world", "sensor", "learner", "policy", "reward", or "component".
 std::string role(const ComponentEntry& entry);
 
-// role and id: learner "wend.lspi"
+// role and id: learner "my.learner"
 std::string title(const ComponentEntry& entry);
 
 }  // namespace wend::core

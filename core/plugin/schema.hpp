@@ -17,9 +17,9 @@
 namespace wend::core {
 
 struct SchemaContext {
-  std::string subject;                 // learner "wend.lspi", as in: unknown parameter "gama" for learner "wend.lspi"
+  std::string subject;                 // learner "my.learner", as in: unknown parameter "gama" for learner "my.learner"
   const Document* document = nullptr;  // where the value comes from; may be none
-  std::vector<std::string> notes;      // added to each diagnostic: all parameters: wend plugins show wend.lspi
+  std::vector<std::string> notes;      // added to each diagnostic: all parameters: wend plugins show my.learner
   std::string noun = "parameter";
 };
 

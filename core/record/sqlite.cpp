@@ -107,7 +107,10 @@ bool Statement::step() {
     sqlite3_reset(handle_);
     return false;
   }
-  const std::string reason = sqlite3_errmsg(sqlite3_db_handle(handle_));
+  sqlite3* const connection = sqlite3_db_handle(handle_);
+  std::string reason = sqlite3_errmsg(connection);
+  if (const int code = sqlite3_errcode(connection) & 0xff; code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+    reason += "; restore it from a copy, or give another directory";
   sqlite3_reset(handle_);
   throw Error(Exit::data, "cannot use " + database_.path() + ": " + reason);
 }

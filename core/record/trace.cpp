@@ -16,15 +16,21 @@ std::uint64_t cell_count(const TraceShape& shape) {
   return std::uint64_t{shape.columns} * shape.rows;
 }
 
+// False of a world without geometry, whose traces have no poses and no goals.
+bool placed(const Trace& trace) {
+  return !trace.pose.empty() || !trace.goal.empty();
+}
+
 // What is wrong with the lengths of the arrays, or an empty string; so nobody who reads a Trace need check them again.
 std::string defect(const Trace& trace) {
   const std::size_t states = trace.time.size(), steps = states - 1;
   if (states == 0) return "time: expected at least one value, found none";
+  const std::size_t places = placed(trace) ? states * trace.robots * 3 : 0;
   const struct {
     const char* name;
     std::size_t found, expected;
-  } lengths[] = {{"pose", trace.pose.size(), states * trace.robots * 3},
-                 {"goal", trace.goal.size(), states * trace.robots * 3},
+  } lengths[] = {{"pose", trace.pose.size(), places},
+                 {"goal", trace.goal.size(), places},
                  {"body_radius", trace.body_radius.size(), trace.robots},
                  {"action", trace.action.size(), steps * trace.robots * trace.action_width},
                  {"reward", trace.reward.size(), steps * trace.robots},
@@ -132,8 +138,8 @@ void write_trace(const std::string& path, const Trace& trace) {
   file.add("format", std::vector<std::int64_t>{format}, {1});
   file.add_text("about", trace.about.dump(-1, ' ', false, Json::error_handler_t::replace));
   file.add("time", trace.time, {states});
-  file.add("pose", trace.pose, {states, robots, 3});
-  file.add("goal", trace.goal, {states, robots, 3});
+  file.add("pose", trace.pose, {placed(trace) ? states : 0, robots, 3});
+  file.add("goal", trace.goal, {placed(trace) ? states : 0, robots, 3});
   file.add("body_radius", trace.body_radius, {robots});
   file.add("action", trace.action, {steps, robots, trace.action_width});
   file.add("reward", trace.reward, {steps, robots});

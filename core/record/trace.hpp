@@ -21,7 +21,7 @@ struct Trace {
   Json about = Json::object();        // arm, world, variant, seed, episode, point, at, privileged
   std::uint32_t robots = 0, action_width = 0, movers = 0;
   std::vector<double> time;           // T + 1, s
-  std::vector<double> pose;           // (T + 1) x robots x 3: x, y, heading
+  std::vector<double> pose;           // (T + 1) x robots x 3: x, y, heading; no geometry: empty, as are goals
   std::vector<double> goal;           // (T + 1) x robots x 3: x, y, radius
   std::vector<double> body_radius;    // robots
   std::vector<double> action;         // T x robots x action_width

@@ -1,8 +1,7 @@
-#include <core/run/bounds.hpp>
-#include <core/run/failure.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <core/run/bounds.hpp>
+#include <core/run/failure.hpp>
 #include <limits>
 
 namespace wend::core {
@@ -50,6 +49,8 @@ std::string Bounds::expected(std::size_t column) const {
   return "a number in " + as_text(low) + ".." + as_text(high);
 }
 
-double Bounds::any(std::size_t column) const { return std::clamp(0.0, low_[column], std::max(low_[column], high_[column])); }
+double Bounds::any(std::size_t column) const {
+  return std::clamp(0.0, low_[column], std::max(low_[column], high_[column]));
+}
 
 }  // namespace wend::core

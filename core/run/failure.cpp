@@ -1,7 +1,6 @@
-#include <core/run/failure.hpp>
-
 #include <charconv>
 #include <cmath>
+#include <core/run/failure.hpp>
 
 namespace wend::core {
 

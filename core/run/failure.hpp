@@ -7,7 +7,8 @@ namespace wend::core {
 
 class UnitFailed : public std::runtime_error {
  public:
-  // cause: "plugin" (it returned an error), "rule" (it broke one of the header's), "load", "state", "training", "files".
+  // cause: "plugin" (it returned an error), "rule" (it broke one of the header's), "load", "state", "training",
+  // "files".
   UnitFailed(std::string cause, const std::string& message) : std::runtime_error(message), cause_(std::move(cause)) {}
   const std::string& cause() const noexcept { return cause_; }
 

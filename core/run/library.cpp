@@ -2,6 +2,7 @@
 #include <core/run/library.hpp>
 
 #include <boost/dll/shared_library.hpp>
+#include <dlfcn.h>
 
 #include <cfenv>
 
@@ -27,13 +28,7 @@ struct Libraries::Loaded {
 
 Libraries::Libraries() = default;
 
-Libraries::~Libraries() {
-  for (auto& [path, loaded] : loaded_) {
-    if (!loaded) continue;  // it could not be loaded
-    // Never unloaded: a plugin may have threads or thread-local destructors in its code.
-    [[maybe_unused]] auto* kept = new boost::dll::shared_library(std::move(loaded->library));
-  }
-}
+Libraries::~Libraries() = default;
 
 const wend_component& Libraries::component(const std::string& id) {
   const auto file = files_.find(id);
@@ -51,6 +46,8 @@ const wend_component& Libraries::component(const std::string& id) {
       reason = failure.what();
     }
     if (!loaded->library.is_loaded()) throw UnitFailed("load", "cannot load " + path + ": " + reason);
+    // Never unloaded, not even at the end: a plugin may have threads or thread-local destructors in its code.
+    if (void* same = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) ::dlclose(same);
     if (!loaded->library.has("wend_plugin_1"))
       throw UnitFailed("load", path + ": expected the exported symbol wend_plugin_1, found none");
     loaded->plugin = &loaded->library.get<const wend_plugin>("wend_plugin_1");

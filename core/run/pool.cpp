@@ -1,14 +1,13 @@
-#include <core/run/frame.hpp>
-#include <core/run/pool.hpp>
-#include <core/run/worker.hpp>
-#include <core/run/worker_process.hpp>
-
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <core/run/frame.hpp>
+#include <core/run/pool.hpp>
+#include <core/run/worker.hpp>
+#include <core/run/worker_process.hpp>
 #include <cstring>
 
 namespace wend::core {
@@ -110,13 +109,17 @@ bool Pool::listen(Clock::time_point until) {
   }
   if (busy.empty()) return !queue_.empty();
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(earliest - Clock::now()).count();
-  const int ready = ::poll(descriptors.data(), descriptors.size(), static_cast<int>(std::clamp<long long>(left, 0, 60000)));
+  const int ready =
+      ::poll(descriptors.data(), descriptors.size(), static_cast<int>(std::clamp<long long>(left, 0, 60000)));
   if (ready < 0 && errno == EINTR) return false;  // the caller looks whether it is to stop
   const auto now = Clock::now();
   for (std::size_t i = 0; i < busy.size(); ++i) {
-    if (descriptors[i].revents) receive(*busy[i]);
-    else if (now >= busy[i]->deadline) expire(*busy[i]);
-    else if (ready == 0 && busy[i]->process.ended({})) receive(*busy[i]);  // something it started keeps the descriptor open
+    if (descriptors[i].revents)
+      receive(*busy[i]);
+    else if (now >= busy[i]->deadline)
+      expire(*busy[i]);
+    else if (ready == 0 && busy[i]->process.ended({}))
+      receive(*busy[i]);  // something it started keeps the descriptor open
   }
   return !done_.empty() || now < until;
 }
@@ -143,7 +146,8 @@ void Pool::receive(Worker& worker) {
 // Past its deadline.  What is at fault is this request, even in a worker that served others.
 void Pool::expire(Worker& worker) {
   Answer answer;
-  answer.failure = {"timeout", "no answer within " + std::to_string(options_.deadline.count()) + " s" + worker.process.last_words()};
+  answer.failure = {
+      "timeout", "no answer within " + std::to_string(options_.deadline.count()) + " s" + worker.process.last_words()};
   worker.item->fresh = true;
   worker.process.stop();
   finish(worker, std::move(answer));
@@ -154,8 +158,11 @@ void Pool::died(Worker& worker, const std::string& note) {
   const std::string words = worker.process.last_words();
   const int status = worker.process.stop();
   Answer answer;
-  if (!note.empty()) answer.failure = {"protocol", note};
-  else answer.failure = by_itself ? failure_of(status) : Failure{"protocol", "it closed or disturbed the private descriptor"};
+  if (!note.empty())
+    answer.failure = {"protocol", note};
+  else
+    answer.failure =
+        by_itself ? failure_of(status) : Failure{"protocol", "it closed or disturbed the private descriptor"};
   answer.failure.message += words;
   finish(worker, std::move(answer));
 }
@@ -166,9 +173,11 @@ void Pool::finish(Worker& worker, Answer answer) {
   Item item = std::move(*worker.item);
   worker.item.reset();
   ++worker.served;
-  if (!answer.ok && worker.process.running()) worker.process.stop();  // what a failed plugin left behind goes with its process
+  if (!answer.ok && worker.process.running())
+    worker.process.stop();  // what a failed plugin left behind goes with its process
   // A worker that served others may die of what they left: only what happens in a fresh one is this request's own.
-  if (!answer.ok && !item.fresh && worker.served > 1 && std::any_of(std::begin(of_the_process), std::end(of_the_process), is)) {
+  if (!answer.ok && !item.fresh && worker.served > 1 &&
+      std::any_of(std::begin(of_the_process), std::end(of_the_process), is)) {
     item.fresh = true;
     queue_.push_front(std::move(item));
     return;

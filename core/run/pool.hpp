@@ -1,8 +1,7 @@
 // Worker processes: a request goes to an idle one; whatever kills a worker fails that request alone, with its cause.
 #pragma once
-#include <core/run/work.hpp>
-
 #include <chrono>
+#include <core/run/work.hpp>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -13,12 +12,12 @@ namespace wend::core {
 
 struct PoolOptions {
   std::uint32_t jobs = 1;
-  std::string worker;                 // path of wend-worker
-  std::string logs;                   // folder for the workers' stdout and stderr
+  std::string worker;                   // path of wend-worker
+  std::string logs;                     // folder for the workers' stdout and stderr
   std::chrono::seconds deadline{3600};  // wall time of one request
   std::uint64_t memory = std::uint64_t{8} << 30;
   std::uint32_t requests_per_worker = 1000;  // then a fresh process
-  bool isolated = true;               // false: in this process, for debugging and profiling
+  bool isolated = true;                      // false: in this process, for debugging and profiling
 };
 
 struct Completion {

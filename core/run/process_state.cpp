@@ -1,6 +1,6 @@
-#include <core/run/process_state.hpp>
-
 #include <unistd.h>
+
+#include <core/run/process_state.hpp>
 #if defined(__SSE__)
 #include <xmmintrin.h>
 #endif
@@ -31,7 +31,8 @@ std::string locale() {
 
 }  // namespace
 
-ProcessState::ProcessState() : rounding_(std::fegetround()), mode_(vector_mode()), locale_(locale()), directory_(directory()) {
+ProcessState::ProcessState()
+    : rounding_(std::fegetround()), mode_(vector_mode()), locale_(locale()), directory_(directory()) {
   std::fegetenv(&environment_);
 }
 

@@ -1,5 +1,5 @@
-// What a plugin must leave as it found it, because it would reach the results of others in the same process: how numbers are
-// rounded, the locale, the working directory.
+// What a plugin must leave as it found it, because it would reach the results of others in the same process: how
+// numbers are rounded, the locale, the working directory.
 #pragma once
 #include <cfenv>
 #include <string>

@@ -37,6 +37,7 @@ void Tracer::started(std::uint32_t copy, std::uint64_t episode) {
   trace.action_width = stage_.action().width;
   trace.telemetry_names = telemetry_.names();
   if (stage_.geometry()) read_shapes(copy, trace, true);
+  else trace.body_radius.resize(trace.robots);
   look(copy, trace);
 }
 

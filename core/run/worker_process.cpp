@@ -1,6 +1,3 @@
-#include <core/base/error.hpp>
-#include <core/run/worker_process.hpp>
-
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/socket.h>
@@ -9,6 +6,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <core/base/error.hpp>
+#include <core/run/worker_process.hpp>
 #include <csignal>
 #include <cstring>
 #include <random>
@@ -70,7 +69,8 @@ void WorkerProcess::start(const std::string& program, const std::string& log, st
   const std::string fd = std::to_string(child_fd), nonce = std::to_string(nonce_), limit = std::to_string(memory);
   const char* arguments[] = {program.c_str(), fd.c_str(), nonce.c_str(), limit.c_str(), nullptr};
   const Spawning spawning(log, high);
-  const int error = posix_spawn(&pid_, program.c_str(), &spawning.actions, &spawning.attributes, const_cast<char**>(arguments), environ);
+  const int error = posix_spawn(&pid_, program.c_str(), &spawning.actions, &spawning.attributes,
+                                const_cast<char**>(arguments), environ);
   if (high >= 0) ::close(high);
   if (error != 0) {
     ::close(pair[0]);
@@ -90,7 +90,8 @@ bool WorkerProcess::ended(std::chrono::milliseconds wait) const {
   const auto until = std::chrono::steady_clock::now() + wait;
   while (true) {
     siginfo_t info{};
-    if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_) return true;
+    if (::waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == pid_)
+      return true;
     if (std::chrono::steady_clock::now() >= until) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -15,8 +15,8 @@ class WorkerProcess {
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-  // Throws Error where it cannot be started.  It gets a process group of its own: what a plugin starts ends with it, and
-  // the terminal's Ctrl-C reaches the host alone.
+  // Throws Error where it cannot be started.  It gets a process group of its own: what a plugin starts ends with it,
+  // and the terminal's Ctrl-C reaches the host alone.
   void start(const std::string& program, const std::string& log, std::uint64_t memory);
   bool running() const noexcept { return pid_ > 0; }
   int fd() const noexcept { return fd_; }

@@ -12,4 +12,5 @@ struct AtLoad {
 } at_load;
 }  // namespace
 
-extern "C" WEND_EXPORT constexpr wend_plugin wend_plugin_1{sizeof(wend_plugin), WEND_ABI_MAJOR, WEND_ABI_MINOR, 0, nullptr};
+extern "C" WEND_EXPORT constexpr wend_plugin wend_plugin_1{sizeof(wend_plugin), WEND_ABI_MAJOR, WEND_ABI_MINOR, 0,
+                                                           nullptr};

@@ -1,10 +1,10 @@
-// One policy for each thing that no plugin should do, in C against the bare ABI: nothing is caught on the way to the host.
-#include <wend/abi.h>
-
+// One policy for each thing that no plugin should do, in C against the bare ABI: nothing is caught on the way to the
+// host.
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <wend/abi.h>
 
 #include <cfenv>
 #include <clocale>
@@ -12,10 +12,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 struct wend_object {
   const wend_host* host;
@@ -25,15 +27,16 @@ struct wend_object {
 
 namespace {
 
-[[gnu::noinline]] int deep(volatile int n) {
+[[gnu::noinline]] int deep(int n) {
   volatile char frame[4096];
   frame[0] = static_cast<char>(n);
-  return deep(n + 1) + frame[0];
+  return n < 0 ? 0 : deep(n + 1) + frame[0];
 }
 
 void to_every_descriptor(const char* bytes, std::size_t n) {
   for (int fd = 3; fd < 1024; ++fd)
-    if (::send(fd, bytes, n, MSG_NOSIGNAL) < 0) [[maybe_unused]] const auto ignored = ::write(fd, bytes, n);
+    if (::send(fd, bytes, n, MSG_NOSIGNAL) < 0) [[maybe_unused]]
+      const auto ignored = ::write(fd, bytes, n);
 }
 
 void close_all() {
@@ -41,8 +44,9 @@ void close_all() {
 }
 
 [[noreturn]] void forever() {
-  for (volatile unsigned i = 0;; ++i) {
+  for (volatile bool on = true; on;) {
   }
+  std::abort();
 }
 
 [[noreturn]] void deaf_forever() {
@@ -69,7 +73,8 @@ void later(void* (*what)(void*)) {
 
 void print(std::size_t bytes) {
   const std::string line(1 << 20, 'x');
-  for (std::size_t done = 0; done < bytes; done += line.size()) [[maybe_unused]] const auto ignored = ::write(1, line.data(), line.size());
+  for (std::size_t done = 0; done < bytes; done += line.size())
+    [[maybe_unused]] const auto ignored = ::write(1, line.data(), line.size());
 }
 
 void write_file_beyond_the_limit(const std::string& path) {
@@ -77,6 +82,11 @@ void write_file_beyond_the_limit(const std::string& path) {
   ::lseek(fd, off_t{3} << 30, SEEK_SET);
   [[maybe_unused]] const auto ignored = ::write(fd, "x", 1);
   ::close(fd);
+}
+
+void remove_all_in(const std::string& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".npz") std::filesystem::remove(entry.path());
 }
 
 void child_that_stays() {
@@ -88,7 +98,7 @@ void child_that_stays() {
 }
 
 void commit(const std::string& deed, const std::string& scratch) {
-  if (deed == "segv") *reinterpret_cast<volatile int*>(8) = 1;
+  if (volatile std::uintptr_t nowhere = 8; deed == "segv") *reinterpret_cast<volatile int*>(nowhere) = 1;
   if (deed == "abort") std::abort();
   if (deed == "throw") throw std::runtime_error("thrown across");
   if (deed == "throw_int") throw 42;
@@ -99,8 +109,7 @@ void commit(const std::string& deed, const std::string& scratch) {
   if (deed == "deaf_loop") deaf_forever();
   if (deed == "bad_alloc") throw std::bad_alloc();
   if (deed == "reserve") {
-    while (::operator new(std::size_t{1} << 30) != nullptr) {
-    }
+    for (std::vector<void*> blocks;;) blocks.push_back(::operator new (std::size_t{1} << 30));
   }
   if (deed == "stack") std::exit(deep(0));
   if (deed == "garbage") to_every_descriptor("this is forty bytes that are not a frame", 40);
@@ -114,15 +123,18 @@ void commit(const std::string& deed, const std::string& scratch) {
   if (deed == "rounding") std::fesetround(FE_UPWARD);
   if (deed == "flush") __builtin_ia32_ldmxcsr(__builtin_ia32_stmxcsr() | 0x8040u);
   if (deed == "locale") std::setlocale(LC_ALL, "C.UTF-8");
-  if (deed == "chdir") [[maybe_unused]] const auto ignored = ::chdir("/");
+  if (deed == "chdir") [[maybe_unused]]
+    const auto ignored = ::chdir("/");
   if (deed == "double_free") {
     void* volatile block = std::malloc(64);
     std::free(block);
     std::free(block);
   }
   if (deed == "big_file") write_file_beyond_the_limit(scratch);
+  if (deed == "unlink") remove_all_in(scratch);
   if (deed == "child") child_that_stays();
-  if (deed == "kill_group" && ::getpgrp() == ::getpid()) ::kill(0, SIGKILL);  // the host is to have given it a group of its own
+  if (deed == "kill_group" && ::getpgrp() == ::getpid())
+    ::kill(0, SIGKILL);  // the host is to have given it a group of its own
 }
 
 wend_status act(wend_object* self, const std::uint32_t*, std::uint32_t n, const double*, double* actions) {
@@ -148,11 +160,14 @@ void destroy(wend_object* self) {
   delete self;
 }
 
-const void* query(wend_object*, const char* id) { return std::strcmp(id, WEND_POLICY) == 0 ? &policy : nullptr; }
+const void* query(wend_object*, const char* id) {
+  return std::strcmp(id, WEND_POLICY) == 0 ? &policy : nullptr;
+}
 
 constexpr wend_component component{sizeof(wend_component), "bad.policy", &create, &destroy, &query};
 constexpr const wend_component* components[] = {&component};
 
 }  // namespace
 
-extern "C" WEND_EXPORT constexpr wend_plugin wend_plugin_1{sizeof(wend_plugin), WEND_ABI_MAJOR, WEND_ABI_MINOR, 1, components};
+extern "C" WEND_EXPORT constexpr wend_plugin wend_plugin_1{sizeof(wend_plugin), WEND_ABI_MAJOR, WEND_ABI_MINOR, 1,
+                                                           components};

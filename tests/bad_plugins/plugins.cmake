@@ -1,6 +1,6 @@
 # Plugins that break the rules.  They are built into a folder that no search path has.
 set(WEND_BAD_PLUGINS ${PROJECT_BINARY_DIR}/test_plugins)
-set(WEND_PLUGIN_DIRECTORY)
+set(WEND_PLUGIN_DIRECTORY "")
 set(here ${CMAKE_CURRENT_LIST_DIR})
 
 function(wend_add_bad_library name source)  # not even a manifest

@@ -4,8 +4,6 @@
 #include <wend/space.hpp>
 #include <wend/view.hpp>
 
-#include <algorithm>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,18 +54,23 @@ class Params {
     return n;
   }
   bool any_below(std::string_view path) const {
-    return std::any_of(values_.begin(), values_.end(), [&](const wend_value& value) {
+    for (const wend_value& value : values_) {
       const std::string_view own = value.path;
-      return own.substr(0, path.size()) == path && (own.size() == path.size() || own[path.size()] == '/');
-    });
+      if (own.substr(0, path.size()) == path && (own.size() == path.size() || own[path.size()] == '/')) return true;
+    }
+    return false;
   }
   static std::string element(std::string_view path, std::size_t i) { return std::string(path) + "/" + std::to_string(i); }
 
  private:
   const wend_value* find(std::string_view path) const noexcept {
-    const auto at = std::lower_bound(values_.begin(), values_.end(), path,
-                                     [](const wend_value& value, std::string_view p) { return value.path < p; });
-    return at != values_.end() && at->path == path ? &*at : nullptr;
+    std::size_t low = 0, high = values_.size();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (values_[middle].path < path) low = middle + 1;
+      else high = middle;
+    }
+    return low < values_.size() && values_[low].path == path ? &values_[low] : nullptr;
   }
   const wend_value& get(std::string_view path) const {
     const wend_value* value = find(path);
@@ -76,6 +79,18 @@ class Params {
   }
 
   std::span<const wend_value> values_;  // sorted by path
+};
+
+// A component in a slot, or none where the slot is empty.
+class Slot {
+ public:
+  explicit Slot(const wend_ref* ref) noexcept : ref_(ref) {}
+  explicit operator bool() const noexcept { return ref_ != nullptr; }
+  const wend_ref& operator*() const noexcept { return *ref_; }
+  const wend_ref* operator->() const noexcept { return ref_; }
+
+ private:
+  const wend_ref* ref_;
 };
 
 // Valid during the constructor; the host, slots, uses and spaces behind it live as long as the component.
@@ -103,19 +118,19 @@ class Config {
   const char* robot_json() const noexcept { return config_->robot; }
 
   // A component in a slot, if the slot is filled; one that is borrowed (the manifest asked for it, so it is there).
-  std::optional<wend_ref> slot(std::string_view name) const { return find(config_->slots, config_->slot_count, name); }
+  Slot slot(std::string_view name) const { return Slot(find(config_->slots, config_->slot_count, name)); }
   wend_ref use(std::string_view name) const {
-    const auto ref = find(config_->uses, config_->use_count, name);
-    if (!ref) throw unsupported("the host lends no \"" + std::string(name) + "\"");
+    const wend_ref* ref = find(config_->uses, config_->use_count, name);
+    if (ref == nullptr) throw unsupported("the host lends no \"" + std::string(name) + "\"");
     return *ref;
   }
   void warn(const std::string& message) const { host_->log(host_, 2, message.c_str()); }
 
  private:
-  static std::optional<wend_ref> find(const wend_named* all, std::uint32_t n, std::string_view name) {
+  static const wend_ref* find(const wend_named* all, std::uint32_t n, std::string_view name) noexcept {
     for (std::uint32_t i = 0; i < n; ++i)
-      if (name == all[i].name) return all[i].ref;
-    return std::nullopt;
+      if (name == all[i].name) return &all[i].ref;
+    return nullptr;
   }
 
   const wend_host* host_;

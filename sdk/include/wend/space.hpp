@@ -3,7 +3,6 @@
 #include <wend/error.hpp>
 
 #include <cstdint>
-#include <deque>
 #include <limits>
 #include <span>
 #include <string>
@@ -20,13 +19,13 @@ class Columns {
   Columns& operator=(const Columns&) = delete;
 
   // A number in low..high; `at` is where it was taken (the bearing of a beam, rad).
-  Columns& box(std::string name, std::string unit, double low = -std::numeric_limits<double>::infinity(),
+  Columns& box(const std::string& name, const std::string& unit, double low = -std::numeric_limits<double>::infinity(),
                double high = std::numeric_limits<double>::infinity(), double at = 0) {
-    return add({low, high, 0, at, nullptr, nullptr}, std::move(name), std::move(unit));
+    return add({low, high, 0, at, nullptr, nullptr}, name, unit);
   }
   // One of the whole numbers 0..count-1.
-  Columns& discrete(std::string name, std::uint64_t count) {
-    return add({0, static_cast<double>(count) - 1, count, 0, nullptr, nullptr}, std::move(name), "1");
+  Columns& discrete(const std::string& name, std::uint64_t count) {
+    return add({0, static_cast<double>(count) - 1, count, 0, nullptr, nullptr}, name, "1");
   }
 
   std::size_t width() const noexcept { return columns_.size(); }
@@ -34,15 +33,19 @@ class Columns {
   const wend_space* table() const noexcept { return &space_; }
 
  private:
-  Columns& add(wend_column column, std::string name, std::string unit) {
-    column.name = texts_.emplace_back(std::move(name)).c_str();
-    column.unit = texts_.emplace_back(std::move(unit)).c_str();
+  Columns& add(wend_column column, const std::string& name, const std::string& unit) {
+    column.name = keep(name);
+    column.unit = keep(unit);
     columns_.push_back(column);
     space_ = {sizeof(wend_space), static_cast<std::uint32_t>(columns_.size()), columns_.data()};
     return *this;
   }
 
-  std::deque<std::string> texts_;
+  const char* keep(const std::string& text) {
+    return texts_.emplace_back(text.c_str(), text.c_str() + text.size() + 1).data();
+  }
+
+  std::vector<std::vector<char>> texts_;  // a vector<char> that moves takes its characters along: they stay in place
   std::vector<wend_column> columns_;
   wend_space space_{sizeof(wend_space), 0, nullptr};
 };

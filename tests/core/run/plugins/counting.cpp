@@ -1,9 +1,9 @@
-// A world, a sensor, a reward, a policy and a learner whose every number can be foretold.  With "log" they tell each call.
-#include <wend/plugin.hpp>
-
+// A world, a sensor, a reward, a policy and a learner whose every number can be foretold.  With "log" they tell each
+// call.
 #include <bit>
 #include <cstring>
 #include <map>
+#include <wend/plugin.hpp>
 
 namespace {
 
@@ -28,11 +28,18 @@ class Teller {
 class Counter {
  public:
   explicit Counter(const wend::Config& config)
-      : tell_(config), ends_(config.params.numbers("ends")), pays_(config.params.numbers("pays")), breaks_(config.params.text("break")),
-        arrive_(config.params.number("arrive")), robots_(config.robots()), rows_(config.rows()) {
-    if (const auto n = config.params.count("actions")) action_.discrete("turn", n);
-    else action_.box("turn", "1", -10, 10);
-    seen_.box("x", "1").box("t", "1", 0, 1000);
+      : tell_(config),
+        ends_(config.params.numbers("ends")),
+        pays_(config.params.numbers("pays")),
+        breaks_(config.params.text("break")),
+        arrive_(config.params.number("arrive")),
+        robots_(config.robots()),
+        rows_(config.rows()) {
+    if (const auto n = config.params.count("actions"))
+      action_.discrete("turn", n);
+    else
+      action_.box("turn", "1", -10, 10);
+    seen_.box("x", "1").box("t", "1", 0);
     told_.box("last_x", "1");
   }
 
@@ -43,9 +50,13 @@ class Counter {
   void reset(wend::Rows copies, wend::Episodes episodes) {
     std::string seeds;
     for (std::size_t i = 0; i < copies.size(); ++i) {
-      seeds += " #" + std::to_string(episodes[i].index) + (episodes[i].mode == WEND_TEST ? " test" : episodes[i].mode == WEND_TRAIN_GREEDY ? " greedy" : " explore");
+      seeds += " #" + std::to_string(episodes[i].index) +
+               (episodes[i].mode == WEND_TEST           ? " test"
+                : episodes[i].mode == WEND_TRAIN_GREEDY ? " greedy"
+                                                        : " explore");
       for (std::uint32_t robot = 0; robot < robots_; ++robot)
-        rows_[copies[i] * robots_ + robot] = {0, 0, static_cast<std::uint64_t>(ends_[(episodes[i].index + robot) % ends_.size()])};
+        rows_[copies[i] * robots_ + robot] = {
+            0, 0, static_cast<std::uint64_t>(ends_[(episodes[i].index + robot) % ends_.size()])};
     }
     tell_("reset" + listed(copies) + seeds);
   }
@@ -58,7 +69,9 @@ class Counter {
       const double action = actions[i][0];
       row.x += action;
       ++row.t;
-      outcomes[i].reward = breaks_ == "reward" ? 0 / (row.x - row.x) : pays_.empty() ? action : pays_[static_cast<std::size_t>(action)];
+      outcomes[i].reward = breaks_ == "reward" ? 0 / (row.x - row.x)
+                           : pays_.empty()     ? action
+                                               : pays_[static_cast<std::size_t>(action)];
       if (row.t == row.end) outcomes[i].flags = WEND_TERMINATED | (arrive_ < 0 || action == arrive_ ? WEND_ARRIVED : 0);
     }
   }
@@ -70,7 +83,9 @@ class Counter {
       const bool now = row.t == 1;
       out[i][0] = row.x;
       if (now && breaks_ == "forget") continue;
-      out[i][1] = now && breaks_ == "observation" ? std::numeric_limits<double>::infinity() : now && breaks_ == "range" ? -1 : static_cast<double>(row.t);
+      out[i][1] = now && breaks_ == "observation" ? std::numeric_limits<double>::infinity()
+                  : now && breaks_ == "range"     ? -1
+                                                  : static_cast<double>(row.t);
     }
   }
 
@@ -95,7 +110,11 @@ class Counter {
 
 class Eye {
  public:
-  explicit Eye(const wend::Config& config) : tell_(config), noise_(config.params.number("noise")), world_(config.use("world")), draws_(config.rows(), wend::Random(0)) {
+  explicit Eye(const wend::Config& config)
+      : tell_(config),
+        noise_(config.params.number("noise")),
+        world_(config.use("world")),
+        draws_(config.rows(), wend::Random(0)) {
     table_ = static_cast<const wend_sensor*>(world_.type->query(world_.self, WEND_SENSOR));
     columns_.box("x", "1").box("t", "1");
   }
@@ -106,7 +125,8 @@ class Eye {
   }
   void sense(wend::Rows rows, wend::Matrix<double> out) {
     tell_("sense" + listed(rows));
-    wend::check(table_->sense(world_.self, rows.data(), static_cast<std::uint32_t>(rows.size()), out.data(), out.stride()));
+    wend::check(
+        table_->sense(world_.self, rows.data(), static_cast<std::uint32_t>(rows.size()), out.data(), out.stride()));
     for (std::size_t i = 0; i < rows.size(); ++i) out[i][0] += noise_ * draws_[rows[i]].uniform();
   }
 
@@ -122,7 +142,11 @@ class Eye {
 class Pay {
  public:
   explicit Pay(const wend::Config& config)
-      : tell_(config), reward_(config.params.number("reward")), end_(config.params.number("end")), nan_(config.params.flag("nan")), steps_(config.rows()) {}
+      : tell_(config),
+        reward_(config.params.number("reward")),
+        end_(config.params.number("end")),
+        nan_(config.params.flag("nan")),
+        steps_(config.rows()) {}
   void begin(wend::Rows rows, wend::Episodes) {
     tell_("begin" + listed(rows));
     for (const std::uint32_t row : rows) steps_[row] = 0;
@@ -146,9 +170,15 @@ class Pay {
 class Script {
  public:
   explicit Script(const wend::Config& config)
-      : tell_(config), host_(config.host()), params_(config.params), script_(config.params.numbers("script")), random_(config.params.flag("random")), rows_(config.rows()),
+      : tell_(config),
+        host_(config.host()),
+        params_(config.params),
+        script_(config.params.numbers("script")),
+        random_(config.params.flag("random")),
+        rows_(config.rows()),
         message_(config.params.text("message")) {
-    nan_at_ = config.params.number("nan_at"), flip_at_ = config.params.number("flip_at"), fail_at_ = config.params.number("fail_at");
+    nan_at_ = config.params.number("nan_at"), flip_at_ = config.params.number("flip_at"),
+    fail_at_ = config.params.number("fail_at");
     forget_at_ = config.params.number("forget_at");
     actions_ = config.action[0].count;
     told_.box("step", "1");
@@ -166,7 +196,8 @@ class Script {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       Row& row = rows_[rows[i]];
       const double step = static_cast<double>(row.step);
-      double action = random_ ? static_cast<double>(wend::Random(wend::stream(row.seed, row.step)).below(actions_)) : script_[row.step % script_.size()];
+      double action = random_ ? static_cast<double>(wend::Random(wend::stream(row.seed, row.step)).below(actions_))
+                              : script_[row.step % script_.size()];
       if (step == fail_at_) throw wend::Error(message_);
       if (step == nan_at_) action = std::numeric_limits<double>::quiet_NaN();
       if (step == flip_at_) action = std::bit_cast<double>(std::bit_cast<std::uint64_t>(action) ^ 1);
@@ -174,7 +205,9 @@ class Script {
       ++row.step;
     }
   }
-  const wend::Columns* telemetry(std::uint32_t when) const { return when == WEND_PER_STEP || when == WEND_PER_EPISODE ? &told_ : nullptr; }
+  const wend::Columns* telemetry(std::uint32_t when) const {
+    return when == WEND_PER_STEP || when == WEND_PER_EPISODE ? &told_ : nullptr;
+  }
   void read(std::uint32_t, wend::Rows rows, wend::Matrix<double> out) const {
     for (std::size_t i = 0; i < rows.size(); ++i) out[i][0] = static_cast<double>(rows_[rows[i]].step);
   }
@@ -199,8 +232,14 @@ class Script {
 class Table {
  public:
   explicit Table(const wend::Config& config)
-      : tell_(config), host_(config.host()), use_(config.params.number("use")), plan_(config.params.numbers("plan")), rows_(config.rows()),
-        t_(config.observation.index("*.t", "observe")), sums_(config.action[0].count), counts_(config.action[0].count) {
+      : tell_(config),
+        host_(config.host()),
+        use_(config.params.number("use")),
+        plan_(config.params.numbers("plan")),
+        rows_(config.rows()),
+        t_(config.observation.index("*.t", "observe")),
+        sums_(config.action[0].count),
+        counts_(config.action[0].count) {
     told_.box("samples", "1").box("best", "1");
   }
   void begin(wend::Rows rows, wend::Episodes episodes) {
@@ -212,7 +251,9 @@ class Table {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const wend_episode& episode = rows_[rows[i]];
       const auto step = static_cast<std::uint64_t>(observations[i][t_]);
-      actions[i][0] = episode.mode == WEND_TRAIN_EXPLORE ? static_cast<double>(wend::Random(wend::stream(episode.seed, step)).below(sums_.size())) : best_;
+      actions[i][0] = episode.mode == WEND_TRAIN_EXPLORE
+                          ? static_cast<double>(wend::Random(wend::stream(episode.seed, step)).below(sums_.size()))
+                          : best_;
     }
   }
   std::uint64_t learn(const wend::Batch& batch) {
@@ -250,11 +291,14 @@ class Table {
     auto sums = reader.get_all<double>(), counts = reader.get_all<double>();
     reader.end();
     if (sums.size() != sums_.size() || counts.size() != sums.size())
-      throw wend::damaged_state("expected a table of " + std::to_string(sums_.size()) + " actions, found " + std::to_string(sums.size()));
+      throw wend::damaged_state("expected a table of " + std::to_string(sums_.size()) + " actions, found " +
+                                std::to_string(sums.size()));
     samples_ = samples, best_ = best, sums_ = sums, counts_ = counts;
   }
   const wend::Columns* telemetry(std::uint32_t when) const { return when == WEND_PER_UPDATE ? &told_ : nullptr; }
-  void read(std::uint32_t, wend::Rows, wend::Matrix<double> out) const { out[0][0] = static_cast<double>(samples_), out[0][1] = best_; }
+  void read(std::uint32_t, wend::Rows, wend::Matrix<double> out) const {
+    out[0][0] = static_cast<double>(samples_), out[0][1] = best_;
+  }
 
  private:
   double mean(std::size_t a) const { return counts_[a] > 0 ? sums_[a] / counts_[a] : 0; }
@@ -272,5 +316,6 @@ class Table {
 
 }  // namespace
 
-WEND_PLUGIN(wend::component<Counter>("test.counter"), wend::component<Eye>("test.eye"), wend::component<Pay>("test.pay"), wend::component<Script>("test.script"),
+WEND_PLUGIN(wend::component<Counter>("test.counter"), wend::component<Eye>("test.eye"),
+            wend::component<Pay>("test.pay"), wend::component<Script>("test.script"),
             wend::component<Table>("test.table"))
