@@ -42,8 +42,8 @@ std::string of_robot(const std::string& name, std::uint32_t robot) {
 Row::Row(const Cell& first) : first_(first) {}
 
 Row::Outcome Row::outcome_of(std::uint32_t flags) {
-  const bool collided = flags & WEND_COLLIDED;
-  return {(flags & WEND_ARRIVED) != 0, collided, (flags & WEND_TRUNCATED) != 0 && !collided};
+  const bool arrived = flags & WEND_ARRIVED, collided = flags & WEND_COLLIDED;
+  return {arrived, collided, (flags & WEND_TRUNCATED) != 0 && !collided && !arrived};
 }
 
 void Row::add(const Cell& cell, const CellResult& result) {

@@ -4,6 +4,7 @@
 #include <core/stats/rows.hpp>
 #include <core/stats/summary.hpp>
 #include <deque>
+#include <set>
 #include <tuple>
 
 namespace wend::core {
@@ -90,7 +91,20 @@ void add_training_curves(Json& curves, const std::vector<Training>& trainings, c
   }
 }
 
-// Success, collision and spl of snapshots against the budget's unit.
+// "success" and "collision", then every metric that a snapshot's row has, but for times of this machine.
+std::vector<std::string> curve_names(const std::map<std::uint64_t, std::size_t>& group, const Json& results) {
+  std::set<std::string> metrics;
+  for (const auto& [amount, i] : group)
+    if (results[i].contains("metrics"))
+      for (const auto& metric : results[i]["metrics"].items()) metrics.insert(metric.key());
+  metrics.erase("train_s");
+  metrics.erase("decision_us");
+  std::vector<std::string> names = {"success", "collision"};
+  names.insert(names.end(), metrics.begin(), metrics.end());
+  return names;
+}
+
+// Success, collision and the metrics of snapshots against the budget's unit.
 void add_snapshot_curves(Json& curves, std::deque<Row>& rows, const Json& results) {
   Ordered<std::string, std::map<std::uint64_t, std::size_t>> groups;  // amount -> row
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -100,7 +114,7 @@ void add_snapshot_curves(Json& curves, std::deque<Row>& rows, const Json& result
   }
   for (const auto& group : groups.groups()) {
     const Cell& cell = rows[group.begin()->second].first();
-    for (const char* metric : {"success", "collision", "spl"}) {
+    for (const std::string& metric : curve_names(group, results)) {
       Json points = Json::array();
       for (const auto& [amount, i] : group) {
         if (results[i].contains(metric)) {
