@@ -3,6 +3,7 @@
 //   reading of axis i   d_i = min over the cone's rays of the distance from the ray's start to the first surface
 //   with noise          d_i (1 + noise n) + noise_m n',  n, n' standard normal, held within [0, reach];
 //                       a beam that meets nothing reads `reach` without noise: there is no echo to err on
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -88,7 +89,7 @@ class Range {
     for (std::size_t k = 0; k < beams_.rays().size(); ++k) {
       const Ray& ray = beams_.rays()[k];
       rays_[first + k] = {pose.x + start * (c * ray.cos - s * ray.sin), pose.y + start * (s * ray.cos + c * ray.sin),
-                          wend::math::wrap_angle(pose.heading + ray.bearing)};
+                          pose.heading + ray.bearing};
       ray_rows_[first + k] = row;
     }
   }

@@ -31,6 +31,7 @@ asm(".section .wend.manifest,\"a\",@progbits\n.incbin \"@manifest@\"\n.previous\
   if(WEND_PLUGIN_DIRECTORY)
     set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${WEND_PLUGIN_DIRECTORY})
     install(TARGETS ${name} DESTINATION lib/wend/plugins)
+    set_property(GLOBAL APPEND PROPERTY WEND_PLUGINS ${name})
   endif()
   # The linker may not drop the manifest, which nothing refers to; everything but the one symbol stays local, or two
   # plugins would share their inline statics.

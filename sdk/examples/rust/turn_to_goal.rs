@@ -89,6 +89,7 @@ fn fail(host: *const Host, message: &'static str) -> i32 {
 }
 
 extern "C" fn create(host: *const Host, config: *const Config, out: *mut *mut Object) -> i32 {
+    unsafe { ptr::read_volatile(MANIFEST.as_ptr()) }; // what nothing refers to, the linker drops
     let config = unsafe { &*config };
     let observation = unsafe { &*config.observation };
     let columns = unsafe { std::slice::from_raw_parts(observation.columns, observation.width as usize) };

@@ -1,18 +1,17 @@
 // wend/config.hpp -- what a component is created with.
 #pragma once
-#include <wend/random.hpp>
-#include <wend/space.hpp>
-#include <wend/view.hpp>
-
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+#include <wend/random.hpp>
+#include <wend/space.hpp>
+#include <wend/view.hpp>
 
 namespace wend {
 
-// Resolved parameters by path ("body/radius", "axes_deg/0"): the host has checked them against the manifest's schema and
-// filled the defaults in.  A getter throws where there is no such parameter.
+// Resolved parameters by path ("body/radius", "axes_deg/0"): the host has checked them against the manifest's schema
+// and filled the defaults in.  A getter throws where there is no such parameter.
 class Params {
  public:
   Params() = default;
@@ -60,15 +59,19 @@ class Params {
     }
     return false;
   }
-  static std::string element(std::string_view path, std::size_t i) { return std::string(path) + "/" + std::to_string(i); }
+  static std::string element(std::string_view path, std::size_t i) {
+    return std::string(path) + "/" + std::to_string(i);
+  }
 
  private:
   const wend_value* find(std::string_view path) const noexcept {
     std::size_t low = 0, high = values_.size();
     while (low < high) {
       const std::size_t middle = low + (high - low) / 2;
-      if (values_[middle].path < path) low = middle + 1;
-      else high = middle;
+      if (values_[middle].path < path)
+        low = middle + 1;
+      else
+        high = middle;
     }
     return low < values_.size() && values_[low].path == path ? &values_[low] : nullptr;
   }

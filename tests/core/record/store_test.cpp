@@ -219,8 +219,8 @@ TEST_F(StoreTest, ForeignAndDamagedFilesAreRefusedWithTheirName) {
   write_file(file(), "");
   EXPECT_EQ(error_of_opening(true), "no results in " + folder_ + ": " + file() + " is empty");
   write_file(file(), std::string(5000, 'x'));
-  EXPECT_EQ(error_of_opening(), "cannot use " + file() + ": file is not a database");
-  EXPECT_EQ(error_of_opening(true), "cannot use " + file() + ": file is not a database");
+  EXPECT_EQ(error_of_opening(), "cannot use " + file() + ": file is not a database; restore it from a copy, or give another directory");
+  EXPECT_EQ(error_of_opening(true), "cannot use " + file() + ": file is not a database; restore it from a copy, or give another directory");
   std::filesystem::remove(file());
   Database(file(), Database::Access::write).run("CREATE TABLE t(a)");
   EXPECT_EQ(error_of_opening(), file() +

@@ -1,0 +1,5 @@
+include(support/program.cmake)
+target_compile_definitions(${target} PRIVATE WEND_C_COMPILER="${CMAKE_C_COMPILER}" WEND_CXX_COMPILER="${CMAKE_CXX_COMPILER}")
+wend_add_plugin(test-abi-1-0 MANIFEST ${CMAKE_CURRENT_SOURCE_DIR}/abi/plugin/manifest.json SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/abi/plugin/bandit.c)
+set_target_properties(test-abi-1-0 PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/abi/plugin LINK_LIBRARIES "" INCLUDE_DIRECTORIES ${CMAKE_CURRENT_SOURCE_DIR}/abi)
+add_dependencies(${target} test-abi-1-0)

@@ -1,0 +1,13 @@
+include(support/program.cmake)
+
+function(add_test_plugin name folder manifest source)
+  wend_add_plugin(${name} MANIFEST ${CMAKE_CURRENT_SOURCE_DIR}/${manifest} SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${source})
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/system/plugins/${folder} OUTPUT_NAME ${folder})
+  add_dependencies(${target} ${name})
+endfunction()
+add_test_plugin(test-flip-never flip_never system/plugins/flip.json system/plugins/flip.cpp)
+add_test_plugin(test-flip-500 flip_500 system/plugins/flip.json system/plugins/flip.cpp)
+target_compile_definitions(test-flip-500 PRIVATE FLIP_AT=500)
+add_test_plugin(test-throws throws system/plugins/throws.json system/plugins/throws.cpp)
+add_test_plugin(test-from-tomorrow from_tomorrow system/plugins/from_tomorrow.json system/plugins/from_tomorrow.cpp)
+add_test_plugin(example-c example_c ../sdk/examples/c/manifest.json ../sdk/examples/c/turn_to_goal.c)
