@@ -39,13 +39,17 @@ std::shared_ptr<Place> World::place_for(const wend_episode& episode) {
 }
 
 void World::reset(wend::Rows copies, wend::Episodes episodes) {
+  one_map_ = false;
   for (std::size_t k = 0; k < copies.size(); ++k) reset_copy(copies[k], episodes[k]);
+  one_map_ = std::all_of(maps_.begin(), maps_.end(), [this](const StaticMap* map) { return map == maps_[0]; });
 }
 
 void World::reset_copy(std::uint32_t index, const wend_episode& episode) {
   Copy& copy = copies_[index];
   Robot* robots = &rows_[std::size_t{index} * robots_];
   copy.place = place_for(episode);
+  std::fill_n(maps_.begin() + std::size_t{index} * robots_, robots_, &copy.place->map);
+  movers_ = movers_ || !copy.place->movers.empty();
   copy.ticks = 0;
   copy.listed = false;
   copy.movers.assign(copy.place->movers.size(), {});

@@ -1,13 +1,7 @@
 // What sensors, planners and pictures ask of the arena, between two steps and from several threads.
-#include "geometry/lanes.hpp"
 #include "world.hpp"
 
 namespace arena {
-namespace {
-
-constexpr std::uint32_t block = 64;  // rays whose directions and walls are worked out together
-
-}  // namespace
 
 void World::poses(wend::Rows rows, std::span<wend_pose> out) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -33,73 +27,83 @@ void World::note_reach(double reach) {
   }
 }
 
-double World::cast_movers(const Copy& copy, const Ray& ray, double best) const {
-  for (const Moving& mover : copy.movers)
-    best = std::min(best, hit_disc(ray, mover.x, mover.y, mover.radius * mover.radius));
-  return best;
-}
+namespace {
 
-double World::cast_robots(std::uint32_t row, const Ray& ray, double best) const {
-  const std::uint32_t first = row - row % robots_;
-  for (std::uint32_t other = first; other < first + robots_; ++other)
-    if (other != row)
-      best = std::min(best,
-                      hit_disc(ray, rows_[other].motion.x, rows_[other].motion.y, options_.radius * options_.radius));
-  return best;
-}
+// Discs that move, met by some rays of a block in portions.
+class Portion {
+ public:
+  Portion(Rays& rays, std::uint32_t first, std::uint32_t last) : rays_(rays), first_(first), last_(last) {}
+  ~Portion() { meet(); }
+  void add(double x, double y, double radius) {
+    x_[n_] = x, y_[n_] = y, radius2_[n_] = radius * radius;
+    if (++n_ == size) meet();
+  }
 
+ private:
+  static constexpr std::uint32_t size = 32;
+  void meet() {
+    if (n_ > 0) kernels().meet_discs(rays_, first_, last_, {x_, y_, radius2_, n_});
+    n_ = 0;
+  }
+  Rays& rays_;
+  std::uint32_t first_, last_, n_ = 0;
+  double x_[size], y_[size], radius2_[size];
+};
+
+}  // namespace
+
+// Rays that follow one another in one scene are cast together, whose rows they ever are.
 void World::cast(wend::Rows rows, std::span<const wend_pose> rays, double reach, std::uint32_t kinds, double* distance,
                  std::uint8_t* kind) {
   if (reach > 0 && reach < infinity) note_reach(reach);
-  for (std::size_t first = 0; first < rows.size(); first += block) {
-    const auto n = static_cast<std::uint32_t>(std::min<std::size_t>(block, rows.size() - first));
-    cast_some(&rows[first], &rays[first], n, reach, kinds, distance + first, kind ? kind + first : nullptr);
+  const std::size_t n = rows.size();
+  for (std::size_t first = 0, last = 0; first < n; first = last) {
+    const StaticMap* map = maps_[rows[first]];
+    const std::size_t most = std::min<std::size_t>(n, first + block);
+    last = one_map_ ? most : first + 1;
+    while (last < most && maps_[rows[last]] == map) ++last;
+    cast_block(*map, rows.subspan(first, last - first), &rays[first], reach, kinds, distance + first,
+               kind ? kind + first : nullptr);
   }
 }
 
-// Of kinds at the same distance the one of the lowest number counts.
-void World::cast_some(const std::uint32_t* rows, const wend_pose* rays, std::uint32_t n, double reach,
-                      std::uint32_t kinds, double* distance, std::uint8_t* kind) const {
-  double x[block], y[block], heading[block], dx[block], dy[block], x0[block], y0[block], x1[block], y1[block],
-      wall[block];
-  bool near = true;
-  const Copy* copy = nullptr;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    if (k == 0 || rows[k] != rows[k - 1]) copy = &copies_[rows[k] / robots_];
-    x[k] = rays[k].x, y[k] = rays[k].y, heading[k] = rays[k].heading;
-    near = near && std::fabs(heading[k]) <= 8192;
-    copy->place->map.bounds(x0[k], y0[k], x1[k], y1[k]);
+void World::cast_block(const StaticMap& map, wend::Rows rows, const wend_pose* poses, double reach,
+                       std::uint32_t kinds, double* distance, std::uint8_t* kind) const {
+  const Kernels& k = kernels();
+  Rays rays;
+  rays.n = static_cast<std::uint32_t>(rows.size());
+  if (!k.aim(rays, poses, reach))
+    for (std::uint32_t i = 0; i < rays.n; ++i) wend::math::sincos(rays.heading.at[i], rays.dy.at[i], rays.dx.at[i]);
+  if (kinds & WEND_WALL && map.walled()) {
+    k.meet_bounds(rays, map.bounds());
+    k.keep_nearer(rays, WEND_WALL);
   }
-  if (near) {
-    directions(heading, n, dx, dy);
-  } else {
-    for (std::uint32_t k = 0; k < n; ++k) wend::math::sincos(heading[k], dy[k], dx[k]);
+  if (kinds & WEND_OBSTACLE && !map.empty()) {
+    map.cast(k, rays, reach);
+    k.keep_nearer(rays, WEND_OBSTACLE);
   }
-  hit_bounds(x, y, dx, dy, x0, y0, x1, y1, n, wall);
+  for (const std::uint32_t what : {WEND_MOVER, WEND_ROBOT, WEND_GOAL}) {
+    if (!(kinds & what) || (what == WEND_MOVER && !movers_) || (what == WEND_ROBOT && robots_ == 1)) continue;
+    meet_moving(rays, rows, what);
+    k.keep_nearer(rays, what);
+  }
+  std::copy(rays.best.at, rays.best.at + rays.n, distance);
+  for (std::uint32_t i = 0; kind != nullptr && i < rays.n; ++i)
+    kind[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(rays.kind.at[i]));
+}
 
-  const CellLists* lists = nullptr;
-  for (std::uint32_t k = 0; k < n; ++k) {
-    if (k == 0 || rows[k] != rows[k - 1]) {
-      copy = &copies_[rows[k] / robots_];
-      lists = copy->place->map.lists_for(reach);
-    }
-    const Ray ray{x[k], y[k], dx[k], dy[k]};
-    double best = reach;
-    std::uint8_t first = WEND_NOTHING;
-    const auto meet = [&](std::uint8_t what, double hit) {
-      first = hit < best ? what : first;
-      best = hit < best ? hit : best;
-    };
-    if (kinds & WEND_WALL) meet(WEND_WALL, wall[k]);
-    if (kinds & WEND_OBSTACLE) meet(WEND_OBSTACLE, copy->place->map.cast(ray, best, lists));
-    if (kinds & WEND_MOVER && !copy->movers.empty()) meet(WEND_MOVER, cast_movers(*copy, ray, best));
-    if (kinds & WEND_ROBOT && robots_ > 1) meet(WEND_ROBOT, cast_robots(rows[k], ray, best));
-    if (kinds & WEND_GOAL) {
-      const Robot& robot = rows_[rows[k]];
-      meet(WEND_GOAL, hit_disc(ray, robot.goal_x, robot.goal_y, robot.goal_radius * robot.goal_radius));
-    }
-    distance[k] = best;
-    if (kind != nullptr) kind[k] = first;
+void World::meet_moving(Rays& rays, wend::Rows rows, std::uint32_t what) const {
+  std::copy(rays.best.at, rays.best.at + rays.n, rays.hit.at);
+  for (std::uint32_t k = 0, end = 0; k < rays.n; k = end) {
+    const std::uint32_t row = rows[k], own = row % robots_;
+    for (end = k + 1; end < rays.n && rows[end] == row;) ++end;
+    Portion portion(rays, k, end);
+    if (what == WEND_MOVER)
+      for (const Moving& mover : copies_[row / robots_].movers) portion.add(mover.x, mover.y, mover.radius);
+    if (what == WEND_ROBOT)
+      for (std::uint32_t other = row - own; other < row - own + robots_; ++other)
+        if (other != row) portion.add(rows_[other].motion.x, rows_[other].motion.y, options_.radius);
+    if (what == WEND_GOAL) portion.add(rows_[row].goal_x, rows_[row].goal_y, rows_[row].goal_radius);
   }
 }
 

@@ -10,35 +10,35 @@ constexpr double most_turn = 0.2;  // rad between two samples of such a dt
 
 }  // namespace
 
+// A few copies at a time, so that what they are made of stays near.
 void World::step(wend::Rows copies, wend::Matrix<const double> actions, std::span<wend_outcome> outcomes) {
-  for (std::size_t k = 0; k < copies.size(); ++k) {
+  const std::size_t some = std::max<std::size_t>(block / robots_, 1);
+  for (std::size_t k = 0; k < copies.size(); k += some) {
     const std::size_t first = k * robots_;
-    step_copy(copies_[copies[k]], &rows_[std::size_t{copies[k]} * robots_], actions.data() + first * actions.width(),
+    step_some(copies.subspan(k, std::min(some, copies.size() - k)), actions.data() + first * actions.width(),
               &outcomes[first]);
   }
 }
 
-void World::step_copy(Copy& copy, Robot* robots, const double* actions, wend_outcome* outcomes) const {
+void World::step_some(wend::Rows copies, const double* actions, wend_outcome* outcomes) {
   const std::size_t width = kinematics_.columns().width();
-  std::uint32_t left = 0;
-  for (std::uint32_t r = 0; r < robots_; ++r) {
-    robots[r].acting = robots[r].ended == 0;
-    if (!robots[r].acting) continue;
-    decide(robots[r], {actions + r * width, width});
-    ++left;
-  }
-  for (std::uint32_t s = 0; s < options_.substeps && left > 0; ++s) {
-    tick(copy, robots);
-    left = 0;
-    for (std::uint32_t r = 0; r < robots_; ++r) left += robots[r].ended == 0;
-  }
-  for (std::uint32_t r = 0; r < robots_; ++r) {
-    if (!robots[r].acting) continue;
-    const std::uint32_t flags = robots[r].ended;
-    outcomes[r] = {options_.step, flags, 0};
-    if (flags & WEND_ARRIVED) outcomes[r].reward += options_.arrive;
-    if (flags & WEND_COLLIDED) outcomes[r].reward += options_.collide;
-  }
+  const double* action = actions;
+  for (const std::uint32_t c : copies)
+    for (std::uint32_t r = 0; r < robots_; ++r, action += width) {
+      Robot& robot = robots(c)[r];
+      robot.acting = robot.ended == 0;
+      if (robot.acting) decide(robot, {action, width});
+    }
+  for (std::uint32_t s = 0; s < options_.substeps && tick(copies);) ++s;
+  for (const std::uint32_t c : copies)
+    for (std::uint32_t r = 0; r < robots_; ++r, ++outcomes) {
+      const Robot& robot = robots(c)[r];
+      if (!robot.acting) continue;
+      const std::uint32_t flags = robot.ended;
+      *outcomes = {options_.step, flags, 0};
+      if (flags & WEND_ARRIVED) outcomes->reward += options_.arrive;
+      if (flags & WEND_COLLIDED) outcomes->reward += options_.collide;
+    }
 }
 
 void World::decide(Robot& robot, std::span<const double> action) const {
@@ -57,23 +57,39 @@ void World::decide(Robot& robot, std::span<const double> action) const {
   }
 }
 
-// One dt of a copy.
-void World::tick(Copy& copy, Robot* robots) const {
-  ++copy.ticks;
-  if (!copy.movers.empty()) move_movers(copy);
-  if (copy.place->moving_goals) move_goals(copy, robots);
-  for (std::uint32_t r = 0; r < robots_; ++r) {
-    Robot& robot = robots[r];
-    robot.collided = false;
-    robot.old_x = robot.motion.x, robot.old_y = robot.motion.y;
-    if (robot.ended) continue;
-    robot.ticks = copy.ticks;
-    move(copy, robot);
-    if (!copy.movers.empty()) meet_movers(copy, robot);
+// One dt of the copies that are not over; false where there is none.
+bool World::tick(wend::Rows copies) {
+  Robot* moving[block];
+  std::size_t n = 0;
+  bool any = false;
+  for (const std::uint32_t c : copies) {
+    Robot* robot = robots(c);
+    if (std::all_of(robot, robot + robots_, [](const Robot& r) { return r.ended != 0; })) continue;
+    Copy& copy = copies_[c];
+    any = true;
+    ++copy.ticks;
+    if (!copy.movers.empty()) move_movers(copy);
+    if (copy.place->moving_goals) move_goals(copy, robot);
+    for (std::uint32_t r = 0; r < robots_; ++r, ++robot) {
+      robot->collided = false;
+      robot->old_x = robot->motion.x, robot->old_y = robot->motion.y;
+      if (robot->ended) continue;
+      robot->ticks = copy.ticks;
+      moving[n++] = robot;
+      if (n == block) move({moving, n}), n = 0;
+    }
   }
-  if (robots_ > 1) meet_robots(robots);
-  for (std::uint32_t r = 0; r < robots_; ++r)
-    if (!robots[r].ended) finish(copy, robots[r]);
+  move({moving, n});
+  for (const std::uint32_t c : copies) {
+    const Copy& copy = copies_[c];
+    Robot* all = robots(c);
+    for (std::uint32_t r = 0; r < robots_ && !copy.movers.empty(); ++r)
+      if (!all[r].ended) meet_movers(copy, all[r]);
+    if (robots_ > 1) meet_robots(all);
+    for (std::uint32_t r = 0; r < robots_; ++r)
+      if (!all[r].ended) finish(copy, all[r]);
+  }
+  return any;
 }
 
 void World::move_movers(Copy& copy) const {
@@ -98,22 +114,37 @@ void World::move_goals(Copy& copy, Robot* robots) const {
   }
 }
 
-// One robot's motion among what stands still.  As long as nothing can be nearer than the nearest so far, nothing is
+// Robots' motion among what stands still.  As long as nothing can be nearer than the nearest so far, nothing is
 // measured: a way of length l brings the centre no nearer than l.
-void World::move(const Copy& copy, Robot& robot) const {
-  const Twist twist = kinematics_.twist(robot.command, robot.motion);
-  const double length = kinematics_.way(twist, options_.dt);
-  robot.path += std::fabs(twist.speed) * options_.dt;
-  robot.turned += std::fabs(twist.turn_rate) * options_.dt;
-  const wend_motion from = robot.motion;
-  const double before = robot.at_least;
-  kinematics_.move(robot.motion, twist, options_.dt);
-  robot.at_least = before - length - margin;
+void World::move(std::span<Robot* const> moving) const {
+  Arcs arcs;
+  arcs.n = static_cast<std::uint32_t>(moving.size());
+  for (std::uint32_t k = 0; k < arcs.n; ++k) {
+    const Robot& robot = *moving[k];
+    const Twist twist = kinematics_.twist(robot.command, robot.motion);
+    arcs.x.at[k] = robot.motion.x, arcs.y.at[k] = robot.motion.y, arcs.heading.at[k] = robot.motion.heading;
+    arcs.speed.at[k] = twist.speed, arcs.turn_rate.at[k] = twist.turn_rate;
+  }
+  kinematics_.move(arcs, options_.dt);
   const double reach = options_.radius + options_.stop_distance;
-  if (robot.at_least > std::max(robot.nearest + options_.radius, reach)) return;
+  for (std::uint32_t k = 0; k < arcs.n; ++k) {
+    Robot& robot = *moving[k];
+    const Twist twist{arcs.speed.at[k], arcs.turn_rate.at[k]};
+    const double length = kinematics_.way(twist, options_.dt);
+    robot.path += std::fabs(twist.speed) * options_.dt;
+    robot.turned += std::fabs(twist.turn_rate) * options_.dt;
+    const wend_motion from = robot.motion;
+    robot.motion = {arcs.x.at[k], arcs.y.at[k], arcs.heading.at[k], twist.speed, twist.turn_rate};
+    if (length > 0) robot.at_least = robot.at_least - length - margin;
+    if (robot.at_least > (length > 0 ? std::max(robot.nearest + options_.radius, reach) : reach)) continue;
+    settle(*maps_[static_cast<std::size_t>(&robot - rows_.data())], robot, from, twist, length);
+  }
+}
 
-  const StaticMap& map = copy.place->map;
-  if (length > options_.radius && before - length <= reach + margin) {
+// Measures where a robot is now, and where its way was long, on its way.
+void World::settle(const StaticMap& map, Robot& robot, const wend_motion& from, Twist twist, double length) const {
+  const double reach = options_.radius + options_.stop_distance;
+  if (length > options_.radius && robot.at_least <= reach) {
     sweep(map, robot, from, twist, length);
   } else {
     robot.at_least =

@@ -45,8 +45,9 @@ World::World(const wend::Config& config)
       robots_(config.robots()),
       kinematics_(config.robot, options_.dt, options_.period()),
       source_(read_source(config.params)),
-      rows_(config.rows()) {
-  for (std::uint32_t c = 0; c < config.copies(); ++c) copies_.emplace_back();
+      rows_(config.rows()),
+      copies_(config.copies()),
+      maps_(config.rows()) {
   places_.reserve(copies_.size() + 17);
   metrics_.box("time_s", "s", 0)
       .box("path_length_m", "m", 0)

@@ -4,7 +4,6 @@
 // tested.  A copy's course depends on its episode and its actions alone, never on which other copies are stepped.
 #pragma once
 #include <array>
-#include <deque>
 #include <string>
 #include <wend/plugin.hpp>
 
@@ -68,24 +67,26 @@ class World {
   void begin(Copy&, Robot&);
 
   // step.cpp
-  void step_copy(Copy&, Robot*, const double* actions, wend_outcome*) const;
+  void step_some(wend::Rows copies, const double* actions, wend_outcome*);
   void decide(Robot&, std::span<const double> action) const;
-  void tick(Copy&, Robot*) const;
+  bool tick(wend::Rows copies);
   void move_movers(Copy&) const;
   void move_goals(Copy&, Robot*) const;
-  void move(const Copy&, Robot&) const;
+  void move(std::span<Robot* const>) const;
+  void settle(const StaticMap&, Robot&, const wend_motion& from, Twist, double length) const;
   void sweep(const StaticMap&, Robot&, const wend_motion& from, Twist, double length) const;
   void meet_movers(const Copy&, Robot&) const;
   void meet_robots(Robot*) const;
   void meet(Robot&, double old_x, double old_y, double x, double y, double radius) const;
   void finish(const Copy&, Robot&) const;
 
+  Robot* robots(std::uint32_t copy) noexcept { return &rows_[std::size_t{copy} * robots_]; }
+
   // sense.cpp
   void note_reach(double reach);
-  void cast_some(const std::uint32_t* rows, const wend_pose* rays, std::uint32_t n, double reach, std::uint32_t kinds,
-                 double* distance, std::uint8_t* kind) const;
-  double cast_movers(const Copy&, const Ray&, double best) const;
-  double cast_robots(std::uint32_t row, const Ray&, double best) const;
+  void cast_block(const StaticMap&, wend::Rows, const wend_pose* rays, double reach, std::uint32_t kinds,
+                  double* distance, std::uint8_t* kind) const;
+  void meet_moving(Rays&, wend::Rows, std::uint32_t what) const;
   void list_shapes(Copy&);
 
   Options options_;
@@ -93,7 +94,10 @@ class World {
   Kinematics kinematics_;
   SceneSource source_;
   std::vector<Robot> rows_;
-  std::deque<Copy> copies_;
+  std::vector<Copy> copies_;
+  std::vector<const StaticMap*> maps_;  // around each row
+  bool one_map_ = false;                // around all rows
+  bool movers_ = false;                 // in any scene so far
   std::vector<std::shared_ptr<Place>> places_;  // the last ones used, the latest first
   wend::Columns metrics_;
   std::array<std::atomic<double>, 4> reaches_{};  // asked for by rays so far; 0: none

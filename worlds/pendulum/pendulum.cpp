@@ -21,7 +21,8 @@ namespace pendulum {
 namespace {
 
 Constants constants_of(const wend::Params& params) {
-  return {params.number("gravity"), params.number("pendulum_mass"), params.number("cart_mass"), params.number("length")};
+  return {params.number("gravity"), params.number("pendulum_mass"), params.number("cart_mass"),
+          params.number("length")};
 }
 
 class Pendulum {

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "lanes.hpp"
-
 namespace arena {
 
 Shapes::Shapes(const Scene& scene)
@@ -26,6 +24,15 @@ Shapes::Shapes(const Scene& scene)
   for (const Segment& edge : edges) cover(edge.x0, edge.y0, 0), cover(edge.x1, edge.y1, 0);
 }
 
+double Shapes::expected(double distance) const noexcept {
+  double area = 0;  // of the shapes, widened by the distance
+  const auto round = [](double radius) { return 3.14 * radius * radius; };
+  for (const Disc& disc : discs) area += round(disc.radius + distance);
+  for (const Segment& e : edges)
+    area += round(distance) + 2 * distance * from_segment(e.x0, e.y0, e.x1, e.y1, e.x1, e.y1);
+  return area / ((x1 - x0) * (y1 - y0));
+}
+
 // Halves squares down to the cells, and keeps in each what its rule lets through.
 struct CellLists::Builder {
   const Shapes& shapes;
@@ -39,6 +46,7 @@ struct CellLists::Builder {
   };
   std::vector<Candidates> levels;
   std::vector<double> distances;
+  std::vector<std::pair<double, std::uint32_t>> order;
 
   double from(std::uint32_t kind, std::uint32_t i, double x, double y) const {
     if (kind == 0) return from_disc(x, y, shapes.discs[i].x, shapes.discs[i].y, shapes.discs[i].radius);
@@ -65,29 +73,34 @@ struct CellLists::Builder {
       if (from_polygon(shapes.polygons[i], x, y) <= half + shapes.slack()) to.polygons.push_back(i);
   }
 
-  void pad_one() {
-    out.disc_x.push_back(0), out.disc_y.push_back(0);
-    out.disc_radius.push_back(-infinity), out.disc_radius2.push_back(-1);
-  }
-  void pad() {
-    for (std::uint32_t k = 0; k < lanes; ++k) pad_one();
+  void add(const Disc& disc, double radius2, double near) {
+    out.disc_x.push_back(disc.x), out.disc_y.push_back(disc.y), out.disc_radius2.push_back(radius2);
+    (reach < 0 ? out.disc_radius : out.disc_near).push_back(reach < 0 ? disc.radius : near);
   }
 
-  void emit(const Candidates& list, std::uint32_t column, std::uint32_t row) {
+  // The nearest to the cell's centre first: a ray that has met something may leave out what is farther away.
+  void sort_discs(std::vector<std::uint32_t>& discs, double x, double y) {
+    order.clear();
+    for (const std::uint32_t i : discs) order.emplace_back(from(0, i, x, y), i);
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k < discs.size(); ++k) discs[k] = order[k].second;
+  }
+
+  void emit(Candidates& list, std::uint32_t column, std::uint32_t row) {
     const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-    const bool padded = reach > 0 && !shapes.discs.empty();
-    if (padded && out.disc_x.empty()) pad();  // one for all the cells without discs
-    const std::uint32_t first = padded && list.discs.empty() ? 0 : count(out.disc_x);
+    const double half = 0.5 * out.size_, x = out.x0_ + column * out.size_ + half, y = out.y0_ + row * out.size_ + half;
+    const double around = half * 1.4142135623730952 + shapes.slack();
+    const std::uint32_t first = count(out.disc_x);
+    if (reach > 0) sort_discs(list.discs, x, y);
     for (const std::uint32_t i : list.discs) {
       const Disc& disc = shapes.discs[i];
-      out.disc_x.push_back(disc.x), out.disc_y.push_back(disc.y);
-      out.disc_radius.push_back(disc.radius), out.disc_radius2.push_back(disc.radius * disc.radius);
+      add(disc, disc.radius * disc.radius, from(0, i, x, y) - around);
     }
-    if (padded)
-      while ((count(out.disc_x) - first) % lanes != 0) pad_one();
-    const std::uint32_t discs = padded && list.discs.empty() ? lanes : count(out.disc_x) - first;
+    if (reach > 0 && list.discs.size() > most_in_turn)
+      while ((count(out.disc_x) - first) % most_lanes != 0) add({x, y, 0}, -1, infinity);
     out.cells_[std::size_t{row} * out.columns_ + column] = {
-        first, discs, count(out.edges), count(list.edges), count(out.polygons), count(list.polygons)};
+        first, count(out.disc_x) - first, count(out.edges), count(list.edges), count(out.polygons),
+        count(list.polygons)};
     for (const std::uint32_t i : list.edges) out.edges.push_back(shapes.edges[i]);
     out.polygons.insert(out.polygons.end(), list.polygons.begin(), list.polygons.end());
     full = full || out.disc_x.size() + out.edges.size() > limit;
@@ -106,7 +119,8 @@ struct CellLists::Builder {
 
   void run() {
     const double width = shapes.x1 - shapes.x0, height = shapes.y1 - shapes.y0;
-    const double wanted = std::min(std::max(8.0 * static_cast<double>(shapes.size()), 1024.0), 65536.0);
+    const double most = reach > 0 ? 16384 : 65536;
+    const double wanted = std::min(std::max(8.0 * static_cast<double>(shapes.size()), 1024.0), most);
     const double size = std::max(std::sqrt(width * height / wanted), std::max(width, height) / 4096);
     out.size_ = size * (1 + 1e-9);
     out.per_metre_ = 1 / out.size_;
@@ -131,13 +145,13 @@ struct CellLists::Builder {
 
 CellLists CellLists::within(const Shapes& shapes, double reach, std::size_t limit) {
   CellLists lists;
-  if (shapes.size() > 0) Builder{shapes, lists, reach, limit, false, {}, {}}.run();
+  if (shapes.size() > 0) Builder{shapes, lists, reach, limit, false, {}, {}, {}}.run();
   return lists;
 }
 
 CellLists CellLists::nearest(const Shapes& shapes) {
   CellLists lists;
-  if (shapes.size() > 0) Builder{shapes, lists, -1, std::size_t{1} << 26, false, {}, {}}.run();
+  if (shapes.size() > 0) Builder{shapes, lists, -1, std::size_t{1} << 26, false, {}, {}, {}}.run();
   return lists;
 }
 

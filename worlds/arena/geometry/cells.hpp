@@ -9,6 +9,10 @@
 
 namespace arena {
 
+inline constexpr std::uint32_t most_lanes = 8;
+// Up to this many discs are met one after the other by several rays at once; more, several at once by one ray.
+inline constexpr std::uint32_t most_in_turn = 24;
+
 // A scene's discs and edges (segments, and the outlines of polygons), and its polygons as wholes.
 struct Shapes {
   std::vector<Disc> discs;
@@ -18,6 +22,8 @@ struct Shapes {
 
   explicit Shapes(const Scene&);
   std::size_t size() const noexcept { return discs.size() + edges.size(); }
+  // How many are within a distance of a point, were they spread evenly.
+  double expected(double distance) const noexcept;
   // m, far above the rounding of a hit and far below what matters
   double slack() const noexcept { return 1e-6 * (1 + (x1 - x0) + (y1 - y0)); }
 };
@@ -30,8 +36,8 @@ class CellLists {
 
   CellLists() = default;
   // Per cell all shapes that are within `reach` of one of its points.  No lists (empty() holds) where they would have
-  // more than `limit` entries.  Where reach > 0 the discs are filled up to whole lanes, and to one at least where the
-  // scene has discs, with some that nothing hits: a ray then takes the same turns in most cells.
+  // more than `limit` entries.  Where reach > 0 the discs are in the order of `disc_near`, and more than a few are
+  // filled up to whole lanes with some that nothing hits.
   static CellLists within(const Shapes&, double reach, std::size_t limit);
   // Per cell all shapes that are the nearest to one of its points; polygons: those that hold one of its points.
   static CellLists nearest(const Shapes&);
@@ -43,6 +49,7 @@ class CellLists {
     const auto row = std::min(static_cast<std::uint32_t>((y - y0_) * per_metre_), rows_ - 1);
     return cells_[std::size_t{row} * columns_ + column];
   }
+  const Cell& cell(std::size_t index) const noexcept { return cells_[index]; }  // row by row
   const Cell& cell(std::uint32_t column, std::uint32_t row) const noexcept {
     return cells_[std::size_t{row} * columns_ + column];
   }
@@ -51,11 +58,14 @@ class CellLists {
   double x1() const noexcept { return x1_; }
   double y1() const noexcept { return y1_; }
   double cell_size() const noexcept { return size_; }
+  double per_metre() const noexcept { return per_metre_; }
   std::uint32_t columns() const noexcept { return columns_; }
   std::uint32_t rows() const noexcept { return rows_; }
 
-  // The lists' entries by value; discs with the radius and with its square.
-  std::vector<double> disc_x, disc_y, disc_radius, disc_radius2;
+  // The lists' entries by value; discs with the square of the radius.
+  std::vector<double> disc_x, disc_y, disc_radius2;
+  std::vector<double> disc_radius;  // nearest() only
+  std::vector<double> disc_near;    // within() a reach only: m, no point of the cell is nearer to this disc
   std::vector<Segment> edges;
   std::vector<std::uint32_t> polygons;
 

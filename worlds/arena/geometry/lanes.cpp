@@ -1,67 +1,67 @@
-// Eight values at a time: see lanes.hpp.
+// The loops of lane_loops.inc for each instruction set, and the choice between them.
 #include "lanes.hpp"
 
-#include <wend/math.hpp>
+#include "../motion/arc.hpp"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
-#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ARENA_EVERY_CPU __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define ARENA_EVERY_CPU
+namespace arena {
+
+constexpr std::uint32_t between_looks = 16;  // discs, until it is asked whether the rest is too far away
+
+}  // namespace arena
+
+#define ARENA_SET plain
+#define ARENA_W 2
+#define ARENA_TARGET
+#include "lane_loops.inc"
+
+#if defined(__x86_64__)
+#define ARENA_SET avx2
+#define ARENA_W 4
+#define ARENA_TARGET __attribute__((target("avx2")))
+#include "lane_loops.inc"
+
+#define ARENA_SET avx512
+#define ARENA_W 8
+#define ARENA_TARGET __attribute__((target("avx512f,avx512dq,avx512vl")))
+#include "lane_loops.inc"
 #endif
 
 namespace arena {
 namespace {
 
-using Eight = double __attribute__((vector_size(64)));
-using Loaded = double __attribute__((vector_size(64), aligned(8), may_alias));
+constexpr Kernels tables[] = {
+    plain::table,
+#if defined(__x86_64__)
+    avx2::table,
+    avx512::table,
+#endif
+};
+
+std::size_t supported() noexcept {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  if (!__builtin_cpu_supports("avx2")) return 1;
+  const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                    __builtin_cpu_supports("avx512vl");
+  return wide ? 3 : 2;
+#else
+  return 1;
+#endif
+}
+
+const std::size_t count = supported();
 
 }  // namespace
 
-ARENA_EVERY_CPU
-double hit_discs(const Ray& ray, const double* x, const double* y, const double* radius2, std::uint32_t n,
-                 double best) noexcept {
-  const Eight nothing = Eight{} + infinity, zero{};
-  Eight least = Eight{} + best;
-  for (std::uint32_t k = 0; k < n; k += lanes) {
-    const Eight r2 = *reinterpret_cast<const Loaded*>(radius2 + k);
-    const Eight bx = *reinterpret_cast<const Loaded*>(x + k) - ray.x,
-                by = *reinterpret_cast<const Loaded*>(y + k) - ray.y;
-    const Eight along = bx * ray.dx + by * ray.dy, aside = bx * ray.dy - by * ray.dx;
-    const Eight half2 = r2 - aside * aside, away2 = bx * bx + by * by;
-    Eight root;
-    for (std::uint32_t i = 0; i < lanes; ++i) root[i] = __builtin_sqrt(half2[i]);
-    Eight hit = along - root;
-    hit = hit < zero ? zero : hit;
-    hit = ((half2 < zero) | (along < zero)) ? nothing : hit;
-    hit = away2 <= r2 ? zero : hit;
-    least = hit < least ? hit : least;
-  }
-  const Eight four = __builtin_shufflevector(least, least, 4, 5, 6, 7, 0, 1, 2, 3);
-  least = four < least ? four : least;
-  const Eight two = __builtin_shufflevector(least, least, 2, 3, 0, 1, 6, 7, 4, 5);
-  least = two < least ? two : least;
-  return least[1] < least[0] ? least[1] : least[0];
+const Kernels& kernels() noexcept {
+  return tables[count - 1];
 }
 
-ARENA_EVERY_CPU
-void directions(const double* heading, std::uint32_t n, double* dx, double* dy) noexcept {
-  for (std::uint32_t k = 0; k < n; ++k) {
-    double s, c;
-    wend::math::sincos_near(heading[k], s, c);
-    dx[k] = c, dy[k] = s;
-  }
-}
-
-ARENA_EVERY_CPU
-void hit_bounds(const double* x, const double* y, const double* dx, const double* dy, const double* x0,
-                const double* y0, const double* x1, const double* y1, std::uint32_t n, double* hit) noexcept {
-  for (std::uint32_t k = 0; k < n; ++k) {
-    const double left = x[k] - x0[k], right = x1[k] - x[k], below = y[k] - y0[k], above = y1[k] - y[k];
-    const double tx = (dx[k] < 0 ? left : right) / __builtin_fabs(dx[k]);
-    const double ty = (dy[k] < 0 ? below : above) / __builtin_fabs(dy[k]);
-    const double nearer = ty < tx ? ty : tx;
-    hit[k] = (left > 0) & (right > 0) & (below > 0) & (above > 0) ? nearer : 0.0;
-  }
+std::span<const Kernels> every_kernels() noexcept {
+  return {tables, count};
 }
 
 }  // namespace arena

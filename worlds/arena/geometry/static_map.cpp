@@ -1,12 +1,10 @@
 // StaticMap: see static_map.hpp.
 #include "static_map.hpp"
 
-#include "lanes.hpp"
-
 namespace arena {
 namespace {
 
-constexpr std::size_t most_entries = std::size_t{1} << 22;  // of a list by reach: 130 MB
+constexpr double most_listed = 48;  // candidates a cell, on average
 constexpr std::size_t most_reaches = 4;
 
 }  // namespace
@@ -27,26 +25,48 @@ void StaticMap::prepare(double reach) {
   const auto at = std::lower_bound(reaches_.begin(), reaches_.end(), reach,
                                    [](const Reach& own, double wanted) { return own.reach < wanted; });
   if (at != reaches_.end() && at->reach == reach) return;
-  // Long lists lose against a walk through the cells.
-  const std::size_t cells = std::size_t{touched_.columns()} * touched_.rows();
-  reaches_.insert(at, {reach, CellLists::within(shapes_, reach, std::min(most_entries, 64 * cells))});
+  // Long lists take time and memory: what a dense scene leaves of the reach is walked through, cell by cell.
+  double listed = reach;
+  while (listed > 0.05 * reach && shapes_.expected(listed) > most_listed) listed *= 0.75;
+  reaches_.insert(at, {reach, listed, CellLists::within(shapes_, listed, std::size_t{1} << 22)});
 }
 
 // Lists made for much longer rays are longer than the few cells that a short ray meets.
-const CellLists* StaticMap::lists_for(double reach) const noexcept {
+const StaticMap::Reach* StaticMap::lists_for(double reach) const noexcept {
   for (const Reach& own : reaches_)
-    if (own.reach >= reach && own.reach <= 4 * reach && !own.lists.empty()) return &own.lists;
+    if (own.reach >= reach && own.reach <= 4 * reach && !own.lists.empty()) return &own;
   return nullptr;
 }
 
-double StaticMap::cast(const Ray& ray, double reach, const CellLists* lists) const noexcept {
-  double best = reach;
-  if (lists != nullptr && lists->holds(ray.x, ray.y)) {
-    best = cast_short(*lists, ray, reach);
-  } else if (shapes_.size() != 0) {
-    best = cast_long(ray, reach);
-  }
+double StaticMap::cast(const Ray& ray, double reach) const noexcept {
+  const double best = shapes_.size() == 0 ? reach : cast_long(ray, reach);
   return occupancy_.empty() ? best : std::min(best, occupancy_.cast(ray, best));
+}
+
+void StaticMap::cast(const Kernels& kernels, Rays& rays, double reach) const noexcept {
+  const Reach* found = lists_for(reach);
+  if (found == nullptr) {  // or there is nothing at all
+    for (std::uint32_t k = 0; k < rays.n; ++k) rays.hit.at[k] = cast(rays.at(k), rays.best.at[k]);
+    return;
+  }
+  const CellLists& lists = found->lists;
+  const bool within = kernels.find_cells(rays, lists), polygons = !lists.polygons.empty();
+  kernels.meet_lists(rays, lists);
+  const bool all_met = within && !polygons && found->listed >= reach;
+  for (std::uint32_t k = 0; k < rays.n && !all_met; ++k) {
+    const std::int32_t cell = rays.cell[k];
+    if (cell < 0) {
+      rays.hit.at[k] = cast_long(rays.at(k), rays.best.at[k]);
+    } else if (polygons &&
+               in_polygon(lists, lists.cell(static_cast<std::uint32_t>(cell)), rays.x.at[k], rays.y.at[k])) {
+      rays.hit.at[k] = 0;
+    } else if (rays.hit.at[k] > found->listed) {
+      rays.hit.at[k] = cast_long(rays.at(k), rays.hit.at[k], found->listed);
+    }
+  }
+  if (occupancy_.empty()) return;
+  for (std::uint32_t k = 0; k < rays.n; ++k)
+    rays.hit.at[k] = std::min(rays.hit.at[k], occupancy_.cast(rays.at(k), rays.hit.at[k]));
 }
 
 bool StaticMap::in_polygon(const CellLists& lists, const CellLists::Cell& cell, double x, double y) const noexcept {
@@ -67,23 +87,11 @@ double StaticMap::cast_list(const CellLists& lists, const CellLists::Cell& cell,
   return best;
 }
 
-double StaticMap::cast_short(const CellLists& lists, const Ray& ray, double reach) const noexcept {
-  const CellLists::Cell& cell = lists.at(ray.x, ray.y);
-  if (cell.polygons != 0 && in_polygon(lists, cell, ray.x, ray.y)) return 0;
-  double best = hit_discs(ray, lists.disc_x.data() + cell.disc, lists.disc_y.data() + cell.disc,
-                          lists.disc_radius2.data() + cell.disc, cell.discs, reach);
-  for (std::uint32_t k = cell.edge, end = k + cell.edges; k < end; ++k) {
-    const Segment& edge = lists.edges[k];
-    best = std::min(best, hit_segment(ray, edge.x0, edge.y0, edge.x1, edge.y1));
-  }
-  return best;
-}
-
 // Cell by cell (Amanatides and Woo 1987).  A shape is listed in every cell that it comes near, so rounding of where the
 // ray changes cells cannot lose one.
-double StaticMap::cast_long(const Ray& ray, double reach) const noexcept {
+double StaticMap::cast_long(const Ray& ray, double reach, double start) const noexcept {
   const CellLists& lists = touched_;
-  double start = 0, end = reach;
+  double end = reach;
   const auto clip = [&](double low, double high, double from, double direction) {
     if (std::fabs(direction) < 1e-100) {
       if (from < low || from > high) end = -1;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "cells.hpp"
+#include "lanes.hpp"
 #include "occupancy.hpp"
 
 namespace arena {
@@ -16,24 +16,22 @@ class StaticMap {
   const Scene& scene() const noexcept { return *scene_; }
   const ScenePtr& pointer() const noexcept { return scene_; }
 
+  bool empty() const noexcept { return shapes_.size() == 0 && occupancy_.empty(); }
+
   // Gets ready for rays of this reach, which are then answered faster.  Not while others ask.
   void prepare(double reach);
 
   // m to the first obstacle on the ray, if less than `reach`; else something >= reach.
-  double cast(const Ray& ray, double reach) const noexcept { return cast(ray, reach, lists_for(reach)); }
-  // The same, with the lists that lists_for() has found for this reach or a longer one.
-  double cast(const Ray&, double reach, const CellLists*) const noexcept;
-  const CellLists* lists_for(double reach) const noexcept;
+  double cast(const Ray&, double reach) const noexcept;
+  // The same of a block of rays: hit, where best is the reach of each, none above `reach`.
+  void cast(const Kernels&, Rays&, double reach) const noexcept;
   // m to the wall around the bounds; infinite without one.
   double cast_wall(const Ray& ray) const noexcept {
     return scene_->walled ? hit_bounds(ray, x0_, y0_, x1_, y1_) : infinity;
   }
-  // The bounds, infinite where they are no walls.
-  void bounds(double& x0, double& y0, double& x1, double& y1) const noexcept {
-    const bool walled = scene_->walled;
-    x0 = walled ? x0_ : -infinity, y0 = walled ? y0_ : -infinity;
-    x1 = walled ? x1_ : infinity, y1 = walled ? y1_ : infinity;
-  }
+  // The bounds, where they are walls.
+  bool walled() const noexcept { return scene_->walled; }
+  Bounds bounds() const noexcept { return {x0_, y0_, x1_, y1_}; }
   // m to the nearest obstacle, negative inside; infinite without any.
   double clearance(double x, double y) const noexcept;
   double clearance_wall(double x, double y) const noexcept {
@@ -42,11 +40,13 @@ class StaticMap {
 
  private:
   struct Reach {
-    double reach;
-    CellLists lists;  // empty: too many candidates
+    double reach;   // m, of the rays
+    double listed;  // m, of the lists: less where the full reach would have too many candidates
+    CellLists lists;
   };
-  double cast_short(const CellLists&, const Ray&, double reach) const noexcept;
-  double cast_long(const Ray&, double reach) const noexcept;
+  const Reach* lists_for(double reach) const noexcept;
+  // From `start` m on, before which there is nothing.
+  double cast_long(const Ray&, double reach, double start = 0) const noexcept;
   double cast_list(const CellLists&, const CellLists::Cell&, const Ray&, double best) const noexcept;
   double clearance_all(double x, double y) const noexcept;
   bool in_polygon(const CellLists&, const CellLists::Cell&, double x, double y) const noexcept;

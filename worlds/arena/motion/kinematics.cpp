@@ -6,26 +6,9 @@
 //   turn_then_advance  turns on the spot, then straight on for the rest of the period
 #include "kinematics.hpp"
 
-#include <cmath>
-#include <limits>
-#include <wend/math.hpp>
+#include "arc.hpp"
 
 namespace arena {
-namespace {
-
-constexpr double unlimited = std::numeric_limits<double>::infinity();
-
-double clamp(double value, double low, double high) noexcept {
-  return std::min(std::max(value, low), high);
-}
-
-// sin(h) / h
-double sinc(double h) noexcept {
-  if (std::fabs(h) < 1e-4) return 1 - h * h / 6;  // the next term is below an ulp
-  return wend::math::sin(h) / h;
-}
-
-}  // namespace
 
 Kinematics::Kinematics(const wend::Params& robot, double dt, double period)
     : dt_(dt),
@@ -56,8 +39,10 @@ void Kinematics::read_differential(const wend::Params& robot) {
   speed_high_ = wheel_radius_ * wheel_speed_;
   speed_low_ = -speed_high_;
   turn_rate_ = wheel_radius_ * wheel_speed_ / half_track_;
-  if (!robot.any_below("actions"))
-    columns_.box("wheel_left", "rad/s", -wheel_speed_, wheel_speed_)
+  half_radius_ = 0.5 * wheel_radius_, turning_ = wheel_radius_ / (2 * half_track_);
+  if (robot.any_below("actions")) return;
+  low_[0] = low_[1] = -wheel_speed_, high_[0] = high_[1] = wheel_speed_;
+  columns_.box("wheel_left", "rad/s", -wheel_speed_, wheel_speed_)
         .box("wheel_right", "rad/s", -wheel_speed_, wheel_speed_);
 }
 
@@ -71,6 +56,7 @@ void Kinematics::read_unicycle(const wend::Params& robot) {
   if (speed_low_ > speed_high_)
     throw wend::parameter_error("kinematics/speed",
                                 "expected [low, high] with low <= high, found a low above the high");
+  low_[0] = speed_low_, high_[0] = speed_high_, low_[1] = -turn_rate_, high_[1] = turn_rate_;
   if (!robot.any_below("actions"))
     columns_.box("speed", "m/s", speed_low_, speed_high_).box("turn_rate", "rad/s", -turn_rate_, turn_rate_);
 }
@@ -84,7 +70,9 @@ void Kinematics::read_turn_then_advance(const wend::Params& robot) {
   turn_ = robot.number_or("kinematics/turn", wend::math::pi);
   speed_high_ = step_ / period_;
   turn_rate_ = turn_ / period_;
-  if (!robot.any_below("actions")) columns_.box("turn", "rad", -turn_, turn_).box("advance", "m", 0, step_);
+  if (robot.any_below("actions")) return;
+  low_[0] = -turn_, high_[0] = turn_, low_[1] = 0, high_[1] = step_;
+  columns_.box("turn", "rad", -turn_, turn_).box("advance", "m", 0, step_);
 }
 
 void Kinematics::read_table(const wend::Params& robot) {
@@ -104,72 +92,47 @@ void Kinematics::read_table(const wend::Params& robot) {
   if (type_ != Type::unicycle) speed_low_ = low, speed_high_ = high, turn_rate_ = turning;
 }
 
-// An action row's two numbers, within the limits.
-Command Kinematics::decode(double first, double second) const noexcept {
-  switch (type_) {
-    case Type::differential: {
-      // A table's wheel speeds are its own; continuous ones have been offered within the limits.
-      const double most = columns_.width() == 2 ? wheel_speed_ : unlimited;
-      const double left = clamp(first, -most, most), right = clamp(second, -most, most);
-      return {0, {0.5 * wheel_radius_ * (left + right), wheel_radius_ / (2 * half_track_) * (right - left)}};
-    }
-    case Type::unicycle:
-      return {0, {clamp(first, speed_low_, speed_high_), clamp(second, -turn_rate_, turn_rate_)}};
-    case Type::turn_then_advance:
-      break;
-  }
-  const bool free = columns_.width() != 2;
-  return {free ? first : clamp(first, -turn_, turn_), {(free ? second : clamp(second, 0, step_)) / period_, 0}};
+wend::Error Kinematics::refused(std::span<const double> action) const {
+  const auto found = [](double number) { return ", found " + std::to_string(number); };
+  if (discrete())
+    return wend::Error(WEND_E_ARGUMENT, {},
+                       "action: expected a row of the action table, 0.." + std::to_string(table_.size() - 1) +
+                           found(action[0]));
+  return wend::Error(WEND_E_ARGUMENT, {},
+                     "action: expected two finite numbers" + found(action[0]) + ", " + std::to_string(action[1]));
 }
 
-Command Kinematics::command(std::span<const double> action, double a, double b) const {
-  Command command;
-  if (discrete()) {
-    if (!(action[0] >= 0 && action[0] < static_cast<double>(table_.size())))
-      throw wend::Error(WEND_E_ARGUMENT, {},
-                        "action: expected a row of the action table, 0.." + std::to_string(table_.size() - 1) +
-                            ", found " + std::to_string(action[0]));
-    command = table_[static_cast<std::size_t>(action[0])];
-  } else {
-    if (!std::isfinite(action[0]) || !std::isfinite(action[1]))
-      throw wend::Error(
-          WEND_E_ARGUMENT, {},
-          "action: expected two finite numbers, found " + std::to_string(action[0]) + ", " + std::to_string(action[1]));
-    command = decode(action[0], action[1]);
-  }
-  command.twist.speed *= 1 + noise_.speed * a;
-  command.twist.turn_rate *= 1 + noise_.turn_rate * b;
-  command.turn *= 1 + noise_.turn_rate * b;
-  return command;
-}
-
-Twist Kinematics::twist(const Command& command, const wend_motion& from) const noexcept {
-  Twist twist = command.twist;
-  if (acceleration_ < unlimited)
-    twist.speed = clamp(twist.speed, from.speed - acceleration_ * dt_, from.speed + acceleration_ * dt_);
-  if (turn_acceleration_ < unlimited)
-    twist.turn_rate =
-        clamp(twist.turn_rate, from.turn_rate - turn_acceleration_ * dt_, from.turn_rate + turn_acceleration_ * dt_);
-  return twist;
-}
-
-// The chord of an arc of length l that turns by 2h is l sin(h)/h long and points h beside the heading.
 void Kinematics::move(wend_motion& motion, Twist twist, double seconds) const noexcept {
-  const double half = 0.5 * twist.turn_rate * seconds;
-  const double chord = twist.speed * seconds * sinc(half);
   double s, c;
   if (offset_ != 0) {
     wend::math::sincos(motion.heading, s, c);
     motion.x -= offset_ * c, motion.y -= offset_ * s;
   }
-  wend::math::sincos(motion.heading + half, s, c);
-  motion.x += chord * c, motion.y += chord * s;
-  motion.heading = wend::math::wrap_angle(motion.heading + 2 * half);
+  follow<false>(motion.x, motion.y, motion.heading, twist.speed, twist.turn_rate, seconds);
+  motion.heading = wend::math::wrap_angle(motion.heading);
   if (offset_ != 0) {
     wend::math::sincos(motion.heading, s, c);
     motion.x += offset_ * c, motion.y += offset_ * s;
   }
   motion.speed = twist.speed, motion.turn_rate = twist.turn_rate;
+}
+
+void Kinematics::move(Arcs& arcs, double seconds) const noexcept {
+  bool near = offset_ == 0;
+  for (std::uint32_t k = 0; k < arcs.n; ++k)
+    near = near & (std::fabs(arcs.heading.at[k]) < 4000) & (std::fabs(arcs.turn_rate.at[k] * seconds) < 4000);
+  if (near) {
+    for (std::uint32_t k = arcs.n; k < arcs.padded(); ++k)
+      arcs.x.at[k] = arcs.y.at[k] = arcs.heading.at[k] = arcs.speed.at[k] = arcs.turn_rate.at[k] = 0;
+    kernels().follow_arcs(arcs, seconds);
+    for (std::uint32_t k = 0; k < arcs.n; ++k) arcs.heading.at[k] = wend::math::wrap_angle(arcs.heading.at[k]);
+    return;
+  }
+  for (std::uint32_t k = 0; k < arcs.n; ++k) {
+    wend_motion motion{arcs.x.at[k], arcs.y.at[k], arcs.heading.at[k], 0, 0};
+    move(motion, {arcs.speed.at[k], arcs.turn_rate.at[k]}, seconds);
+    arcs.x.at[k] = motion.x, arcs.y.at[k] = motion.y, arcs.heading.at[k] = motion.heading;
+  }
 }
 
 wend_motion Kinematics::predict(wend_motion motion, std::span<const double> action, double seconds) const {

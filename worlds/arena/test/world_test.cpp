@@ -111,6 +111,20 @@ TEST(Arena, NothingIsTunnelledThrough) {
   EXPECT_EQ(head_on.flags(), WEND_TERMINATED | WEND_COLLIDED);
 }
 
+TEST(Arena, WhoDoesNotMoveIsStillTested) {
+  Scene scene = empty_scene();
+  scene.discs = {{12, 50, 0.5}};
+  const double there = scene.starts.at(0).x;
+  for (const double gap : {0.25, 0.75}) {  // of the rims, against a stop distance of 0.5 m
+    scene.discs[0].x = there + 1 + 0.5 + gap;
+    Arena arena(scene, world_values(), robot_values(1, {{"stop_distance", 0.5}}));
+    ASSERT_EQ(arena.reset(), WEND_OK) << arena.host.failure;
+    for (int k = 0; k < 5; ++k) arena.step({0, 0.7});
+    EXPECT_EQ(arena.flags(), gap < 0.5 ? WEND_TERMINATED | WEND_COLLIDED : 0u) << gap;
+    EXPECT_NEAR(arena.metric("min_clearance_m"), gap, 1e-9);
+  }
+}
+
 TEST(Arena, PointRobotsSlideAlongNothing) {
   Scene scene = empty_scene();
   scene.discs = {{50, 50, 5}};

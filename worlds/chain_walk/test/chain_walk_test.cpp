@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <wend/testing.hpp>
 
 using wend::testing::Bench;
@@ -16,7 +15,8 @@ struct World : Bench {
   }
   void reset(std::vector<std::uint32_t> copies, std::uint64_t seed, std::uint32_t mode) {
     std::vector<wend_episode> episodes;
-    for (const std::uint32_t copy : copies) episodes.push_back({0, wend::stream(seed, std::uint64_t{copy}), 0, 0, mode});
+    for (const std::uint32_t copy : copies)
+      episodes.push_back({0, wend::stream(seed, std::uint64_t{copy}), 0, 0, mode});
     ASSERT_EQ(table<wend_world>(WEND_WORLD)->reset(ref().self, copies.data(),
                                                    static_cast<std::uint32_t>(copies.size()), episodes.data()),
               WEND_OK);

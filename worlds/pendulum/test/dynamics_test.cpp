@@ -56,7 +56,8 @@ TEST(Dynamics, APeriodAgreesWithAnotherIntegration) {
     for (const double rate : {-2.0, 0.0, 4.0})
       for (const double u : {-55.0, 0.0, 42.0}) {
         const State other = by_midpoints({theta, rate}, u, 0.1, 20000);
-        const State usual = dynamics.advance({theta, rate}, u, 0.1, 4), fine = dynamics.advance({theta, rate}, u, 0.1, 40);
+        const State usual = dynamics.advance({theta, rate}, u, 0.1, 4);
+        const State fine = dynamics.advance({theta, rate}, u, 0.1, 40);
         EXPECT_NEAR(usual.theta, other.theta, 1e-6) << theta << " " << rate << " " << u;
         EXPECT_NEAR(usual.theta_dot, other.theta_dot, 1e-5) << theta << " " << rate << " " << u;
         EXPECT_NEAR(fine.theta, other.theta, 2e-9) << theta << " " << rate << " " << u;
