@@ -37,6 +37,9 @@ std::string joined(std::initializer_list<std::string> parts) {
   return text;
 }
 
+// The place among `all` of the i-th of `n` that are spread evenly, both ends included.
+std::size_t spread(std::size_t i, std::size_t n, std::size_t all) { return n < 2 ? 0 : i * (all - 1) / (n - 1); }
+
 class Gallery {
  public:
   explicit Gallery(const FigureSource& source) : source_(source) {}
@@ -46,10 +49,13 @@ class Gallery {
   void add_maps() {
     std::vector<MapPanel> first;
     for (const std::string& world : source_.worlds()) {
-      std::size_t drawn = 0;
-      for (const auto& [key, shown] : maps_of(world)) {
+      const auto maps = maps_of(world);
+      const std::size_t wanted = std::min<std::size_t>(source_.variants(), maps.size());
+      std::size_t place = 0, drawn = 0;
+      for (const auto& [key, shown] : maps) {  // spread over all of them: neighbours are often alike
         const auto& [variant, point] = key;
-        if (drawn++ >= source_.variants()) break;
+        if (drawn == wanted || place++ != spread(drawn, wanted, maps.size())) continue;
+        ++drawn;
         const std::string where = point_text(point), map = "map " + std::to_string(variant);
         add("map_" + world + "_" + std::to_string(variant) + (where.empty() ? "" : "_" + where),
             map_figure(arms_of(shown), joined({source_.title(), world, map, where})));
@@ -57,7 +63,7 @@ class Gallery {
       }
     }
     if (first.size() > most_grid_panels) first.resize(most_grid_panels);
-    if (!first.empty()) add("maps", map_grid(first, joined({source_.title(), "the first map of each world"})));
+    if (first.size() > 1) add("maps", map_grid(first, joined({source_.title(), "the first map of each world"})));
   }
 
   // One map before, during and after training.

@@ -13,8 +13,8 @@ struct NamedFigure {
 };
 
 // From summary.json and the recorded episodes, of which the first seed's first episode is drawn:
-//   map_<world>_<variant>    all arms on one map, each at its final state
-//   maps                     the first map of each world
+//   map_<world>_<variant>    all arms on one map, each at its final state; of many maps some, evenly spread
+//   maps                     the first map of each world, where there are several
 //   learning_<world>_<arm>   the same map at each snapshot of a training
 //   curve_<metric>_<world>   a curve with its band, an arm each
 //   success, metric_<name>   estimates with intervals, arm by world
