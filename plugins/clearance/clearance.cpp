@@ -28,11 +28,17 @@ class Clearance {
         D_us_(config.params.number("D_us")),
         k_(config.params.number("k")),
         penalty_(config.params.number("penalty")),
+        action_costs_(config.params.numbers("action_costs")),
         terminate_(config.params.flag("terminate")),
         training_(config.rows(), 0) {
     if (D_us_ > D_)
       throw wend::parameter_error("D_us",
                                   "expected at most D = " + std::to_string(D_) + ", found " + std::to_string(D_us_));
+    const bool table = config.action.width() == 1 && config.action[0].count > 0;
+    if (!action_costs_.empty() && (!table || config.action[0].count != action_costs_.size()))
+      throw wend::parameter_error("action_costs", "expected one cost for each discrete action, " +
+                                                      std::to_string(table ? config.action[0].count : 0) + ", found " +
+                                                      std::to_string(action_costs_.size()));
     bool left = false, right = false;
     for (std::size_t i = 0; i < distances_.size(); ++i) left |= is_left(i), right |= is_right(i);
     if (!left || !right)
@@ -55,12 +61,15 @@ class Clearance {
         if (is_right(k)) right = std::min(right, d);
       }
       const bool crashed = collided || std::min(left, right) <= D_us_;
-      outcomes[i].reward = crashed ? -penalty_ : -k_ * lack(left) - k_ * lack(right);
+      outcomes[i].reward = crashed ? -penalty_ : -k_ * lack(left) - k_ * lack(right) - cost_of(batch.actions[i][0]);
       if (crashed && terminate_ && training_[batch.rows[i]]) outcomes[i].flags |= WEND_TERMINATED;
     }
   }
 
  private:
+  double cost_of(double action) const noexcept {
+    return action_costs_.empty() ? 0 : action_costs_[static_cast<std::size_t>(action)];
+  }
   double lack(double side) const noexcept { return side <= D_ ? D_ - side : 0; }
   // A beam straight ahead or behind counts for both sides, so that the reward has the mirror symmetry of the task.
   bool is_middle(std::size_t i) const noexcept {
@@ -73,6 +82,7 @@ class Clearance {
   wend::Reading distances_;
   double D_, D_us_;  // m
   double k_, penalty_;
+  std::vector<double> action_costs_;  // by discrete action; none: actions are free, as in the paper
   bool terminate_;
   std::vector<char> training_;  // of each row
 };

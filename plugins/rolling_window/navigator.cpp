@@ -59,7 +59,10 @@ void Navigator::decide(Course& course, bool may_avoid, std::span<double> action)
   if (settings_.memory && !course.plain) remember(course);
   if (settings_.planner != Planner::none && !course.plain) plan(course);
   choose_subgoal(course);
-  course.avoids = may_avoid && settings_.switching.avoids(course.percept, course.subgoal.at);
+  // A plan is driven as it stands, and was found free.
+  const bool steers = settings_.driven_corridor && !course.planned;
+  course.avoids =
+      may_avoid && settings_.switching.avoids(course.percept, course.subgoal.at, steers ? &steer_ : nullptr);
   ++course.steps;
   if (course.avoids) {
     ++course.avoided;

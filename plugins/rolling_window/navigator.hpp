@@ -28,6 +28,7 @@ struct NavigatorSettings {
   double radius = 8;  // m, of the window
   std::size_t candidates = 72;
   Switching switching;
+  bool driven_corridor = true;  // the switch looks along what seeking would drive, not straight to the subgoal
   double margin = 0.3;  // m
   double clearance_range = 3, clearance_weight = 3;
   double look_ahead = 8;  // m

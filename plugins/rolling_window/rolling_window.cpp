@@ -59,6 +59,8 @@ NavigatorSettings settings_of(const wend::Config& config, const wend::Steer& ste
   s.switching.rule = rule == "A" ? Switch::a : rule == "B" ? Switch::b : Switch::never;
   s.sample_with_window = params.text("sample_with") == "window";
   s.switching.distance = params.number("switch_distance");
+  s.driven_corridor = params.text("corridor") == "driven";
+  s.switching.margin = params.number_or("switch_margin", s.driven_corridor && !s.memory ? body / 10 : 0);
   if (!steer.discrete() && !std::isfinite(s.top_speed))
     throw wend::parameter_error("speed", "expected a greatest speed, as the body has none; found none");
   if (s.grid.influence / s.grid.cell > 1000)

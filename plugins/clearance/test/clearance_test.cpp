@@ -89,3 +89,18 @@ TEST(Clearance, RefusesNaN) {
             }),
             "observation \"sonar.range.3\": expected a finite number, found NaN");
 }
+
+TEST(Clearance, TakesTheCostOfAnAction) {
+  Reward reward;
+  ASSERT_TRUE(reward.set("action_costs", {2.0, 0.5, 0.5}).create()) << reward.error();
+  reward.begin(1);
+  EXPECT_EQ(reward.of({9, 10, 9, 20, 9, 8.5}).reward, -2);
+  EXPECT_EQ(reward.of({20, 20, 0.2, 20, 20, 20}).reward, -1000) << "a crash costs the penalty alone";
+}
+
+TEST(Clearance, RefusesCostsOfAnotherTable) {
+  Reward reward;
+  EXPECT_FALSE(reward.set("action_costs", {2.0, 0.5}).create());
+  EXPECT_EQ(reward.parameter(), "action_costs");
+  EXPECT_EQ(reward.error(), "expected one cost for each discrete action, 3, found 2");
+}

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "../goal_distance.hpp"
+#include "../switching.hpp"
 #include "../turn_radius_planner.hpp"
 #include "rig.hpp"
 
@@ -195,4 +196,24 @@ TEST(TurnRadiusPlanner, SaysThatItIsTrapped) {
   EXPECT_EQ(planner.plan(memory, passage, distance, {0, 0, 0, 0, 0}, {20, 0}, 1, steps),
             TurnRadiusPlanner::Result::trapped);
   EXPECT_GT(steps.size(), 0u);  // as long as it lasts
+}
+
+// A circle of radius 3 about (0, 3) leads to a subgoal at the left: the body passes (5.5, 3) at 2.5 m.
+TEST(Switching, BLooksAlongWhatSeekingDrives) {
+  rig::Rig rig(rig::simrobot());
+  const wend::Steer steer(wend::Space(rig.plane()->actions().table()), wend::BodyRef(rig.plane().ref()), 1);
+  rolling_window::Percept percept;
+  percept.body = 3;
+  percept.surface = {{5.5, 3}};
+  using rolling_window::Switch, rolling_window::Switching, rolling_window::Percept;
+  const Switching rule{Switch::b, 8};
+  EXPECT_FALSE(rule.avoids(percept, {0, 8}));
+  EXPECT_TRUE(rule.avoids(percept, {0, 8}, &steer));
+  percept.surface = {{6.5, 3}};
+  EXPECT_FALSE(rule.avoids(percept, {0, 8}, &steer));
+  Switching roomy = rule;
+  roomy.margin = 1;
+  EXPECT_TRUE(roomy.avoids(percept, {0, 8}, &steer));
+  percept.surface = {{-2.5, 0}};  // nearer than the margin, but left behind
+  EXPECT_FALSE(roomy.avoids(percept, {0, 8}, &steer));
 }

@@ -86,7 +86,11 @@ class Rig {
         .set("headings", 24)
         .set("expansions", 3000)
         .set("clearance_weight", 3);
-    bench_.set("safety_filter", 1).set("switch", "B").set("switch_distance", 8).set("sample_with", "planner");
+    bench_.set("safety_filter", 1)
+        .set("switch", "B")
+        .set("corridor", "driven")
+        .set("switch_distance", 8)
+        .set("sample_with", "planner");
     bench_.observation(columns_).action(plane_->actions()).use("world", plane_.ref());
   }
   Bench& bench() { return bench_; }
