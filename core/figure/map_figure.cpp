@@ -114,6 +114,9 @@ std::vector<MapArm> all_arms(const std::vector<MapPanel>& panels) {
   return arms;
 }
 
+// End markers and scale bar share a line below the map, unless there is no room for a bar that one can read.
+bool is_crowded(double width, std::size_t arms) { return arms > 1 && width < 17 * static_cast<double>(arms) + 110; }
+
 void add_panel(Figure& figure, const MapPanel& panel, const MapView& view, const std::vector<MapArm>& order) {
   const Box& page = view.page;
   figure.items.push_back({label({page.x, page.y - 8}, fit_text(panel.title, 12.5, page.width + panel_gap * 0.7, true),
@@ -131,7 +134,8 @@ void add_panel(Figure& figure, const MapPanel& panel, const MapView& view, const
     y += 20;
   } else {
     double x = page.right() - 6 - 17 * static_cast<double>(order.size() - 1);
-    bar_room = std::max(10.0, std::min(bar_room, x - 20 - page.x - 45));
+    const bool crowded = is_crowded(page.width, order.size());
+    if (!crowded) bar_room = std::min(bar_room, x - 20 - page.x - 45);
     for (const MapArm& arm : order) {
       const auto here = std::find_if(panel.arms.begin(), panel.arms.end(),
                                      [&](const MapArm& other) { return other.label == arm.label; });
@@ -139,6 +143,7 @@ void add_panel(Figure& figure, const MapPanel& panel, const MapView& view, const
         add_end_marker(figure.items, outcome(*here->trace).ending, {x, y - 4}, 5, here->line().colour);
       x += 17;
     }
+    if (crowded) y += 20;
   }
   add_scale_bar(figure, view, {page.x, y}, bar_room);
 }
@@ -149,10 +154,13 @@ Figure map_grid(const std::vector<MapPanel>& panels, const std::string& title) {
   Figure figure;
   const std::vector<MapArm> order = all_arms(panels);
   const double map_height = panels.size() <= 4 ? 320 : panels.size() <= 12 ? 260 : 190;
-  const double height = map_height + panel_title + panel_bar + (order.size() == 1 ? 20 : 0) + 12;
   std::vector<double> widths;
   for (const MapPanel& panel : panels)
     widths.push_back(fit_map_height(map_bounds(panel.arms), {}, map_height, 0.5, 3).page.width);
+  const bool two_lines = order.size() == 1 || std::any_of(widths.begin(), widths.end(), [&](double width) {
+                           return is_crowded(width, order.size());
+                         });
+  const double height = map_height + panel_title + panel_bar + (two_lines ? 20 : 0) + 12;
   double y = margin + title_height;
   std::size_t next = 0;
   for (const std::size_t count : rows_of(widths, height)) {
