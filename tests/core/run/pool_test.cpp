@@ -1,5 +1,6 @@
 // Real workers and plugins that misbehave in them: each fails its own request with the right cause, and nothing else.
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <core/run/pool.hpp>
@@ -56,6 +57,9 @@ constexpr const char* lost = "protocol: it closed or disturbed the private descr
 
 // Good requests stand between all the others; one pool serves them all.
 TEST_F(PoolTest, EachMisdeedFailsItsOwnRequest) {
+  int inherited[2];  // as from a shell: whoever writes to every descriptor must not reach it
+  ASSERT_EQ(::pipe(inherited), 0);
+  ::close(inherited[0]);
   const std::map<std::string, std::string> deeds = {
       {"segv", segv},
       {"abort", aborted},
@@ -101,6 +105,7 @@ TEST_F(PoolTest, EachMisdeedFailsItsOwnRequest) {
   }
   EXPECT_EQ(descriptors(), before);
   EXPECT_TRUE(childless());
+  ::close(inherited[1]);
   EXPECT_FALSE(std::filesystem::exists(folder_ + "/worker-0.log"));
 }
 
