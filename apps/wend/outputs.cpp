@@ -13,10 +13,16 @@
 namespace wend::app {
 namespace {
 
-// The traces of the first seed's cells, in the order of the plan.
+// What was recorded of trainings and cells, in the order of the plan.
 std::vector<core::Trace> read_traces(const core::Experiment& experiment, const std::string& directory) {
   const core::Store store(directory, true);
   std::vector<core::Trace> traces;
+  for (const core::Training& training : experiment.trainings()) {
+    if (training.traced_episodes == 0) continue;
+    const auto result = store.training(training.id);
+    if (!result) continue;
+    for (const auto& [episode, file] : result->traces) traces.push_back(core::read_trace(directory + "/traces/" + file));
+  }
   for (const core::Cell& cell : experiment.cells()) {
     if (cell.traced_episodes == 0) continue;
     const auto result = store.cell(cell.id);

@@ -29,6 +29,12 @@ DriverSpec driver_of(const ArmSpec& arm, std::size_t world) {
   return {arm.id, robot == arm.robots.end() ? RobotSpec{} : robot->second, arm.policy, arm.reward};
 }
 
+// The arm whose training this one starts from; resolve() has found it there.
+const ArmSpec& source_of(const Resolved& experiment, const ArmSpec& arm) {
+  return *std::find_if(experiment.arms.begin(), experiment.arms.end(),
+                       [&](const ArmSpec& other) { return other.id == arm.train->state_arm; });
+}
+
 template <class Spec>
 std::size_t keep_once(const Spec& spec, const std::string& digest, std::vector<Spec>& all,
                       std::vector<std::string>& digests, std::map<std::string, std::size_t>& index) {
@@ -76,6 +82,8 @@ bool Plan::add(const Json& point, const Resolved& experiment, const PlanFilter& 
       if (arm.train && arm.train->budget.amount > 0) {
         group.snapshot_episodes = arm.train->snapshot_episodes.value_or(experiment.episodes);
         training = add_training(point, experiment, arm, world, filter);
+      } else if (arm.train && !arm.train->state_arm.empty()) {
+        training = add_training(point, experiment, source_of(experiment, arm), world, filter);
       } else if (arm.train) {
         group.common.state = arm.train->state;
       }
@@ -90,6 +98,8 @@ std::size_t Plan::add_training(const Json& point, const Resolved& experiment, co
   const TrainSpec& train = *arm.train;
   const std::vector<WorldDraw> draws = training_draws(train, tested);
   TrainingGroup group;
+  if (!train.state_arm.empty())
+    group.source = add_training(point, experiment, source_of(experiment, arm), tested, filter);
   group.driver = keep(driver_of(arm, draws.front().world));
   Training& common = group.common;
   common.point = point;
@@ -98,6 +108,8 @@ std::size_t Plan::add_training(const Json& point, const Resolved& experiment, co
   common.snapshots = train.at;
   common.keep = train.keep;
   common.initial_state = train.state;
+  common.traced_episodes = experiment.traced_training;
+  group.traced_seeds = experiment.traced_seeds;
   for (const WorldDraw& draw : draws) {
     group.worlds.push_back(keep(experiment.worlds[draw.world]));
     common.streams.push_back({experiment.seed, 0, draw.train});
@@ -117,13 +129,13 @@ std::size_t Plan::add_training(const Json& point, const Resolved& experiment, co
   for (const std::size_t world : group.worlds) digests["worlds"].push_back(world_digests_[world]);
   for (const std::size_t world : group.selection_worlds) digests["selection_worlds"].push_back(world_digests_[world]);
 
-  const auto [shared, fresh] = training_index_.try_emplace(identify(common, digests), training_groups_.size());
+  const std::string first_id = identify(light_training(group, filter.first_seed, 0), digests);
+  const auto [shared, fresh] = training_index_.try_emplace(first_id, training_groups_.size());
   if (!fresh) return shared->second;
   group.first = trainings_.size();
   for (std::uint64_t seed = filter.first_seed; seed < filter.end_seed; ++seed) {
-    for (auto* streams : {&common.streams, &common.selection_streams})
-      for (StreamSpec& stream : *streams) stream.seed = seed;
-    trainings_.push_back({identify(common, digests), training_groups_.size(), seed, 0, 0, none});
+    const Training one = light_training(group, seed, static_cast<std::size_t>(seed - filter.first_seed));
+    trainings_.push_back({identify(one, digests), training_groups_.size(), seed, 0, 0, none});
   }
   training_groups_.push_back(std::move(group));
   return shared->second;
@@ -176,13 +188,22 @@ Cell Plan::cell(std::size_t i) const {
 Training Plan::training(std::size_t i) const {
   const Entry& entry = trainings_[i];
   const TrainingGroup& group = training_groups_[entry.group];
-  Training training = group.common;
+  Training training = light_training(group, entry.seed, i - group.first);
   training.id = entry.id;
   training.driver = drivers_[group.driver];
   for (const std::size_t world : group.worlds) training.worlds.push_back(worlds_[world]);
   for (const std::size_t world : group.selection_worlds) training.selection_worlds.push_back(worlds_[world]);
+  return training;
+}
+
+// The training of one seed, at its place in the group, without driver and worlds.
+Training Plan::light_training(const TrainingGroup& group, std::uint64_t seed, std::size_t place) const {
+  Training training = group.common;
   for (auto* streams : {&training.streams, &training.selection_streams})
-    for (StreamSpec& stream : *streams) stream.seed = entry.seed;
+    for (StreamSpec& stream : *streams) stream.seed = seed;
+  if (group.source != none)
+    training.initial_training = trainings_[training_groups_[group.source].first + place].id;
+  if (seed >= group.traced_seeds) training.traced_episodes = 0;
   return training;
 }
 

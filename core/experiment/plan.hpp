@@ -48,6 +48,8 @@ class Plan {
   struct TrainingGroup {  // trainings that differ by their seed
     Training common;      // without driver and worlds
     std::size_t driver = 0, first = 0;
+    std::size_t source = none;       // the group whose final states they start from
+    std::uint64_t traced_seeds = 0;  // of the seeds below it episodes are recorded
     std::vector<std::size_t> worlds, selection_worlds;
   };
   struct CellGroup {  // cells of one arm in one world at one point
@@ -70,6 +72,7 @@ class Plan {
                            const PlanFilter& filter);
   void add_cells(CellGroup group, std::uint64_t traced_seeds, std::size_t training_group, const PlanFilter& filter);
   Cell light_cell(const CellGroup& group, const Entry& entry) const;
+  Training light_training(const TrainingGroup& group, std::uint64_t seed, std::size_t place) const;
 
   std::vector<DriverSpec> drivers_;
   std::vector<WorldSpec> worlds_;

@@ -27,6 +27,7 @@ class Resolver {
     if (Json* arms = array_in(file, "arms"))
       for (std::size_t i = 0; i < arms->size(); ++i) read_arm((*arms)[i], element("/arms", i));
     scope_.check_unique("arm", "/arms", arm_ids_);
+    check_state_arms(scope_, resolved_);
     check_figures(file);
     if (scope_.diagnostics.any()) return std::nullopt;
     robots_.show_defaults();
@@ -47,6 +48,7 @@ class Resolver {
     if (const Json* record = member(file, "record")) {
       resolved_.traced_episodes = static_cast<std::uint32_t>(count_in(*record, "episodes").value_or(1));
       resolved_.traced_seeds = count_in(*record, "seeds").value_or(1);
+      resolved_.traced_training = static_cast<std::uint32_t>(count_in(*record, "training").value_or(0));
     }
   }
 

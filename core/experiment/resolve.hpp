@@ -24,7 +24,8 @@ struct TrainSpec {
   std::optional<std::uint32_t> snapshot_episodes;
   std::vector<WorldDraw> selection;  // empty: where it is trained
   std::string keep = "last";
-  std::string state;  // SHA-256 of a state file, or empty
+  std::string state;      // SHA-256 of a state file, or empty
+  std::string state_arm;  // id of the arm whose training it starts from, or empty
 };
 
 struct ArmSpec {
@@ -40,7 +41,7 @@ struct ArmSpec {
 struct Resolved {
   Json file;  // the experiment file with all defaults and absolute paths
   std::uint64_t seed = 0, seeds = 1;
-  std::uint32_t episodes = 10, traced_episodes = 1;
+  std::uint32_t episodes = 10, traced_episodes = 1, traced_training = 0;
   std::uint64_t traced_seeds = 1;
   std::vector<WorldSpec> worlds;
   std::vector<ArmSpec> arms;
@@ -53,5 +54,8 @@ std::optional<Resolved> resolve(const Scope& scope, Json file);
 // One part of it: the training of an arm whose other members are resolved.  `file` is its "train".
 std::optional<TrainSpec> resolve_train(const Scope& scope, Resolved& experiment, const ArmSpec& arm, Json& file,
                                        const std::string& pointer);
+
+// Once all arms are there: can each that starts from another arm's training do so?
+void check_state_arms(const Scope& scope, const Resolved& experiment);
 
 }  // namespace wend::core

@@ -35,6 +35,10 @@ class TrainReader {
 
  private:
   void read_state() {
+    if (const Json* state = member(file_, "state"); state && state->is_object()) {
+      train_.state_arm = text_in(*state, "arm");
+      return;
+    }
     const std::string name = text_in(file_, "state");
     if (name.empty()) {
       if (member(file_, "state") && file_["state"].is_string())
@@ -170,12 +174,62 @@ class TrainReader {
   TrainSpec train_;
 };
 
+// The types of a composition, as they stand in its state: "wend.a(avoid: wend.b)".
+std::string types_of(const ComponentSpec& spec) {
+  std::string text;
+  for (const auto& [slot, component] : spec.slots)
+    text += (text.empty() ? "(" : ", ") + slot + ": " + types_of(component);
+  return spec.type + (text.empty() ? "" : text + ")");
+}
+
+const ArmSpec* arm_of(const Resolved& experiment, const std::string& id) {
+  for (const ArmSpec& arm : experiment.arms)
+    if (arm.id == id) return &arm;
+  return nullptr;
+}
+
+// What is wrong with starting `arm` from the training of `source`, and what to do; nothing: it can be done.
+std::optional<std::pair<std::string, std::string>> defect(const Resolved& experiment, const ArmSpec& arm, const ArmSpec& source) {
+  const std::string which = "arm " + quote(arm.id) + " starts from arm " + quote(source.id);
+  if (!source.train || source.train->budget.amount == 0)
+    return std::pair(which + ", which is not trained", std::string("name an arm whose \"train\" has a budget"));
+  std::size_t steps = 0;
+  for (const ArmSpec* at = &source; at && at->train && !at->train->state_arm.empty(); at = arm_of(experiment, at->train->state_arm))
+    if (at == &arm || ++steps > experiment.arms.size())
+      return std::pair(which + ", which starts from it", std::string("one of them must start from nothing"));
+  if (types_of(arm.policy) != types_of(source.policy))
+    return std::pair(which + ", but its policy is " + types_of(arm.policy) + " and that one's is " + types_of(source.policy),
+                     std::string("use the same types in the same slots"));
+  if (!source.train->worlds.empty()) return std::nullopt;
+  for (const std::size_t world : arm.worlds)
+    if (std::find(source.worlds.begin(), source.worlds.end(), world) == source.worlds.end())
+      return std::pair(which + ", which is not trained for world " + quote(experiment.worlds[world].id),
+                       "add \"worlds\" to the \"train\" of arm " + quote(source.id) + ", or to arm " + quote(arm.id));
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TrainSpec> resolve_train(const Scope& scope, Resolved& experiment, const ArmSpec& arm, Json& file,
                                        const std::string& pointer) {
   TrainReader reader(scope, experiment, arm, file, pointer);
   return reader.read();
+}
+
+void check_state_arms(const Scope& scope, const Resolved& experiment) {
+  std::vector<std::string> ids;
+  for (const ArmSpec& arm : experiment.arms) ids.push_back(arm.id);
+  for (std::size_t i = 0; i < experiment.arms.size(); ++i) {
+    const ArmSpec& arm = experiment.arms[i];
+    if (!arm.train || arm.train->state_arm.empty()) continue;
+    const std::string pointer = element("/arms", i) + "/train/state/arm";
+    const ArmSpec* source = arm_of(experiment, arm.train->state_arm);
+    if (source == nullptr) {
+      scope.unknown(pointer, "arm", arm.train->state_arm, " in the training of arm " + quote(arm.id), ids);
+    } else if (const auto found = defect(experiment, arm, *source)) {
+      scope.error(pointer, found->first, found->second);
+    }
+  }
 }
 
 }  // namespace wend::core

@@ -76,6 +76,8 @@ void rest_of(Archive& archive, T& unit) {
   archive("selection_episodes", unit.selection_episodes);
   archive("selection_streams", unit.selection_streams);
   archive("initial_state", unit.initial_state);
+  archive("initial_training", unit.initial_training);
+  archive("traced_episodes", unit.traced_episodes);
 }
 
 template <class Archive, Is<Cell> T>
@@ -124,14 +126,6 @@ void fields(Archive& archive, T& result) {
   archive("robots", result.robots);
 }
 
-template <class Archive, Is<CellResult> T>
-void fields(Archive& archive, T& result) {
-  archive("metrics", result.metrics);
-  archive("episodes", result.episodes);
-  archive("traces", result.traces);
-  archive("decision_us", result.decision_us);
-}
-
 template <class Archive, Is<Curve> T>
 void fields(Archive& archive, T& result) {
   archive("metric", result.metric);
@@ -140,11 +134,21 @@ void fields(Archive& archive, T& result) {
   archive("points", result.points);
 }
 
+template <class Archive, Is<CellResult> T>
+void fields(Archive& archive, T& result) {
+  archive("metrics", result.metrics);
+  archive("episodes", result.episodes);
+  archive("traces", result.traces);
+  archive("curves", result.curves);
+  archive("decision_us", result.decision_us);
+}
+
 template <class Archive, Is<TrainingResult> T>
 void fields(Archive& archive, T& result) {
   archive("hash", result.hash);
   archive("snapshots", result.snapshots);
   archive("final_state", result.final_state);
+  archive("traces", result.traces);
   archive("samples", result.samples);
   archive("steps", result.steps);
   archive("episodes", result.episodes);

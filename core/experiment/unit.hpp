@@ -69,13 +69,15 @@ struct Training {
   std::vector<WorldSpec> worlds;    // visited in turn, episode by episode
   std::vector<StreamSpec> streams;  // one per world
   Budget budget;
-  std::uint32_t greedy_every = 0;        // every n-th episode is WEND_TRAIN_GREEDY; 0: none
+  std::uint32_t greedy_every = 0;        // after every n-th episode one is WEND_TRAIN_GREEDY and not counted; 0: none
   std::vector<std::uint64_t> snapshots;  // counts of the budget's unit at which the state is kept, ascending
   std::string keep = "last";             // or "best": the snapshot that does best in `selection`
   std::uint32_t selection_episodes = 0;  // of each selection world, for keep == "best"
   std::vector<WorldSpec> selection_worlds;
   std::vector<StreamSpec> selection_streams;
-  std::string initial_state;  // SHA-256 of the state file it starts from, or empty
+  std::string initial_state;     // SHA-256 of the state file it starts from, or empty
+  std::string initial_training;  // id of the training whose final state it starts from, or empty
+  std::uint32_t traced_episodes = 0;  // the first so many are recorded as traces
 };
 
 // A test: (arm, world variant, sweep point, seed), of a frozen state where the arm learns.
@@ -115,23 +117,25 @@ struct Episode {
   std::vector<RobotEpisode> robots;
 };
 
+struct Curve {            // of one training or test; the summary aggregates over seeds
+  std::string metric, x;  // x: "train_episodes", "samples", "updates" or a name that the plugin gave
+  std::optional<std::uint32_t> robot;
+  std::vector<std::pair<double, double>> points;
+};
+
 struct CellResult {
   std::vector<std::string> metrics;  // names with units: "path_length_m", "avoid.residual"
   std::vector<Episode> episodes;
   std::map<std::uint64_t, std::string> traces;  // episode -> file in the scratch directory
+  std::vector<Curve> curves;                    // what plugins told as series
   double decision_us = 0;                       // CPU time of the policy per decision
-};
-
-struct Curve {            // one learner's own curve; the summary aggregates over seeds
-  std::string metric, x;  // x: "train_episodes", "samples", "updates" or a name that the plugin gave
-  std::optional<std::uint32_t> robot;
-  std::vector<std::pair<double, double>> points;
 };
 
 struct TrainingResult {
   std::string hash;                                // chains every observation, action and outcome of the training
   std::map<std::uint64_t, std::string> snapshots;  // count -> file in the scratch directory
   std::string final_state;                         // file in the scratch directory
+  std::map<std::uint64_t, std::string> traces;     // episode -> file in the scratch directory
   std::uint64_t samples = 0, steps = 0, episodes = 0;
   std::vector<Curve> curves;
   double train_s = 0;  // CPU time

@@ -92,7 +92,6 @@ FigureSource::FigureSource(const Json& summary, const std::vector<Trace>& traces
     for (const Json& row : rows(summary, key))
       note(row["arm"], row["world"], point_of(row), flag_of(row, "privileged"));
   for (const Trace& trace : traces) {
-    if (!has_map(trace)) continue;
     const auto [unit, amount] = at_of(trace.about);
     Recorded one{&trace,
                  text_of(trace.about, "arm"),
@@ -103,10 +102,12 @@ FigureSource::FigureSource(const Json& summary, const std::vector<Trace>& traces
                  count_of(trace.about, "episode"),
                  flag_of(trace.about, "privileged"),
                  unit,
-                 amount};
+                 amount,
+                 flag_of(trace.about, "training")};
     if (!wants(one.world)) continue;
     note(one.arm, one.world, one.point, one.privileged);
-    recorded_.push_back(std::move(one));
+    if (has_map(trace)) (one.training ? trials_ : recorded_).push_back(one);
+    episodes_.push_back(std::move(one));
   }
   if (only_worlds_)
     worlds_.erase(std::remove_if(worlds_.begin(), worlds_.end(), [&](const auto& w) { return !wants(w); }),
@@ -122,6 +123,7 @@ void FigureSource::read_options(const Json& options) {
   }
   if (options.contains("variants")) variants_ = count_of(options, "variants");
   metrics_ = texts_of(options, "metrics");
+  steps_ = texts_of(options, "steps");
   const std::vector<std::string> log = texts_of(options, "log_x");
   log_x_.insert(log.begin(), log.end());
   std::vector<std::string> curves = {"success", "collision", "spl"};  // of snapshots; others are drawn when asked for

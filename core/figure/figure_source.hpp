@@ -20,6 +20,7 @@ struct Recorded {
   bool privileged = false;
   std::string unit;  // of a snapshot's amount; empty: no snapshot but the end
   double amount = std::numeric_limits<double>::infinity();
+  bool training = false;  // an episode of the training, not of the test
 };
 
 class FigureSource {
@@ -29,9 +30,12 @@ class FigureSource {
   const Json& summary() const { return summary_; }
   const std::string& title() const { return title_; }
   const std::vector<std::string>& worlds() const { return worlds_; }
-  const std::vector<Recorded>& recorded() const { return recorded_; }  // that have a map
+  const std::vector<Recorded>& recorded() const { return recorded_; }  // tests that have a map
+  const std::vector<Recorded>& trials() const { return trials_; }      // trainings that have a map
+  const std::vector<Recorded>& episodes() const { return episodes_; }  // all of both
   std::size_t variants() const { return variants_; }
   const std::vector<std::string>& metrics() const { return metrics_; }
+  const std::vector<std::string>& steps() const { return steps_; }
   bool log_x(const std::string& x) const { return log_x_.count(x) != 0; }
   bool wants_curve(const std::string& metric) const { return curves_.count(metric) != 0; }
   bool wants(const std::string& world) const;
@@ -53,11 +57,11 @@ class FigureSource {
 
   const Json& summary_;
   std::string title_;
-  std::vector<std::string> worlds_, arms_, metrics_;
+  std::vector<std::string> worlds_, arms_, metrics_, steps_;
   std::vector<std::pair<std::string, std::string>> lines_;  // arm, point
   std::set<std::string> privileged_, log_x_, points_, curves_;
   std::optional<std::set<std::string>> only_worlds_;
-  std::vector<Recorded> recorded_;
+  std::vector<Recorded> recorded_, trials_, episodes_;
   std::size_t variants_ = 4;
 };
 

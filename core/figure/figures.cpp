@@ -7,6 +7,8 @@
 #include <core/figure/figures.hpp>
 #include <core/figure/interval_figure.hpp>
 #include <core/figure/map_figure.hpp>
+#include <core/figure/step_series.hpp>
+#include <core/figure/trials_figure.hpp>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -86,6 +88,51 @@ class Gallery {
     }
   }
 
+  // The trials of the first recorded seed's training, all on its first map.
+  void add_trials() {
+    std::map<std::tuple<std::string, std::size_t, std::string>, std::vector<Recorded>> trainings;
+    for (const Recorded& one : source_.trials()) trainings[{one.world, source_.style_of(one.arm), one.point}].push_back(one);
+    for (const auto& [key, list] : trainings) {
+      const auto& [world, style, point] = key;
+      std::vector<const Trace*> shown;
+      for (const Recorded& one : list)
+        if (one.seed == list[0].seed && one.variant == list[0].variant) shown.push_back(one.trace);
+      const std::string where = point_text(point);
+      add("trials_" + world + "_" + list[0].arm + (where.empty() ? "" : "_" + where),
+          trials_figure(shown, joined({source_.title(), world, list[0].arm + " while it learns", where})));
+    }
+  }
+
+  // Values of single steps: tests, one line an arm; and trainings, trial after trial, a picture each.
+  void add_steps(const std::string& metric) {
+    std::map<std::pair<std::string, std::string>, std::map<std::size_t, Recorded>> tests;  // world, point: by style
+    std::map<std::tuple<std::string, std::size_t, std::string>, std::vector<Recorded>> trainings;
+    for (const Recorded& one : source_.episodes()) {
+      const std::size_t style = source_.style_of(one.arm);
+      if (one.training) {
+        trainings[{one.world, style, one.point}].push_back(one);
+      } else {
+        const auto [held, added] = tests[{one.world, one.point}].emplace(style, one);
+        if (!added && one.amount > held->second.amount && one.seed == held->second.seed && one.variant == held->second.variant && one.episode == held->second.episode)
+          held->second = one;
+      }
+    }
+    for (const auto& [key, arms] : tests) {
+      std::vector<CurveSeries> curves;
+      for (const auto& [style, one] : arms) add_step_curve(curves, one, {one.trace}, metric);
+      add_step_figure("steps_" + metric + "_" + key.first, key.first, "", key.second, metric, curves);
+    }
+    for (const auto& [key, list] : trainings) {
+      std::vector<const Trace*> trials;
+      for (const Recorded& one : list)
+        if (one.seed == list[0].seed) trials.push_back(one.trace);
+      std::vector<CurveSeries> curves;
+      add_step_curve(curves, list[0], trials, metric);
+      const auto& [world, style, point] = key;
+      add_step_figure("trial_steps_" + metric + "_" + world + "_" + list[0].arm, world, list[0].arm + " while it learns", point, metric, curves);
+    }
+  }
+
   void add_curves() {
     using Key = std::tuple<std::size_t, std::string, std::string>;  // world, metric, x
     std::map<Key, std::vector<CurveSeries>> groups;
@@ -145,6 +192,24 @@ class Gallery {
   using MapKey = std::pair<std::uint64_t, std::string>;  // variant, point
 
   void add(const std::string& name, Figure figure) { figures_.push_back({names_.fresh(name), std::move(figure)}); }
+
+  void add_step_curve(std::vector<CurveSeries>& curves, const Recorded& one, const std::vector<const Trace*>& episodes,
+                      const std::string& metric) const {
+    CurveSeries curve{one.arm, line_style(source_.style_of(one.arm)), step_series(episodes, metric), source_.privileged(one.arm)};
+    curve.style.width = 1.3;
+    if (!curve.points.empty()) curves.push_back(std::move(curve));
+  }
+
+  void add_step_figure(const std::string& name, const std::string& world, const std::string& what, const std::string& point,
+                       const std::string& metric, const std::vector<CurveSeries>& curves) {
+    if (curves.empty()) return;
+    const std::string where = point_text(point);
+    CurveOptions options;
+    options.title = joined({source_.title(), world, what, where});
+    options.x_title = "time (s)";
+    options.y_title = quantity(metric).title();
+    add(name + (where.empty() ? "" : "_" + where), curve_figure(curves, options));
+  }
 
   MapArm arm_of(const Recorded& one) const {
     return {one.arm, one.trace, source_.style_of(one.arm), one.privileged || source_.privileged(one.arm), {}};
@@ -262,8 +327,10 @@ std::vector<NamedFigure> figures_of(const Json& summary, const std::vector<Trace
     Gallery gallery(source);
     gallery.add_maps();
     gallery.add_learning();
+    gallery.add_trials();
     gallery.add_curves();
     gallery.add_estimates("success", "success", true);
+    for (const std::string& metric : source.steps()) gallery.add_steps(metric);
     for (const std::string& metric : source.metrics()) gallery.add_estimates(metric, "metric_" + metric, false);
     return gallery.take();
   } catch (const Json::exception& e) {

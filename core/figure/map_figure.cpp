@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <core/figure/legend.hpp>
 #include <core/figure/map_figure.hpp>
 #include <core/figure/text_metrics.hpp>
 
@@ -34,40 +33,49 @@ void add_title(Figure& figure, const std::string& title, double size = title_siz
 }
 
 void place_beside(Figure& figure, const MapView& view, const std::vector<LegendLine>& lines,
-                  const std::vector<MapArm>& arms) {
+                  const std::vector<MapArm>& arms, const std::vector<Ending>& endings) {
   const double column = std::clamp(legend_width(lines), 170.0, 360.0), x = view.page.right() + 24;
   double y = view.page.y;
   add_legend(figure.items, lines, {x, y}, column);
   y += legend_height(lines) + 10;
-  y += add_map_key(&figure.items, arms, {}, {x, y}, column);
+  y += add_map_key(&figure.items, arms, endings, {x, y}, column);
   figure.width = x + column + margin;
   figure.height = std::max(view.page.bottom() + bar_height, y) + margin * 0.6;
 }
 
 void place_below(Figure& figure, const MapView& view, const std::vector<LegendLine>& lines,
-                 const std::vector<MapArm>& arms) {
+                 const std::vector<MapArm>& arms, const std::vector<Ending>& endings) {
   double y = view.page.bottom() + bar_height + 8;
   y += add_legend_row(&figure.items, lines, {margin, y}, view.page.width) + 4;
-  y += add_map_key(&figure.items, arms, {}, {margin, y}, view.page.width);
+  y += add_map_key(&figure.items, arms, endings, {margin, y}, view.page.width);
   figure.width = view.page.right() + margin;
   figure.height = y + margin * 0.6;
+}
+
+Figure single_map(const std::vector<MapArm>& arms, const std::vector<LegendLine>& lines, const std::vector<Ending>& endings,
+                  const std::string& title) {
+  Figure figure;
+  const MapView view = fit_map(map_bounds(arms), {margin, margin + title_height}, 640, 0.3, 4);
+  add_map(figure, view, arms);
+  add_scale_bar(figure, view, {view.page.x, view.page.bottom() + 20}, std::min(180.0, view.page.width * 0.45));
+  if (view.page.width > 1.35 * view.page.height)
+    place_below(figure, view, lines, arms, endings);
+  else
+    place_beside(figure, view, lines, arms, endings);
+  add_title(figure, title);
+  return figure;
 }
 
 }  // namespace
 
 Figure map_figure(const std::vector<MapArm>& arms, const std::string& title) {
-  Figure figure;
-  const MapView view = fit_map(map_bounds(arms), {margin, margin + title_height}, 640, 0.3, 4);
-  add_map(figure, view, arms);
-  add_scale_bar(figure, view, {view.page.x, view.page.bottom() + 20}, std::min(180.0, view.page.width * 0.45));
   std::vector<LegendLine> lines;
   for (const MapArm& arm : arms) lines.push_back(legend_line(arm));
-  if (view.page.width > 1.35 * view.page.height)
-    place_below(figure, view, lines, arms);
-  else
-    place_beside(figure, view, lines, arms);
-  add_title(figure, title);
-  return figure;
+  return single_map(arms, lines, {}, title);
+}
+
+Figure map_figure(const std::vector<MapArm>& arms, const std::vector<LegendLine>& legend, const std::string& title) {
+  return single_map(arms, legend, endings_of({{"", arms}}), title);
 }
 
 namespace {

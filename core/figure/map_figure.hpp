@@ -1,6 +1,6 @@
 // Pictures of maps: all arms on one map, and a grid of such maps.
 #pragma once
-#include <core/figure/map_panel.hpp>
+#include <core/figure/legend.hpp>
 #include <string>
 #include <vector>
 
@@ -8,6 +8,9 @@ namespace wend::core {
 
 // One map, its title above, the scale bar below, the legend with outcomes beside it or, where the map is wide, below.
 Figure map_figure(const std::vector<MapArm>& arms, const std::string& title);
+
+// The same with a legend of its own, and the meaning of the end markers below it.
+Figure map_figure(const std::vector<MapArm>& arms, const std::vector<LegendLine>& legend, const std::string& title);
 
 struct MapPanel {
   std::string title;

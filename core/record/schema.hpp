@@ -5,7 +5,7 @@
 namespace wend::core {
 
 constexpr int schema_application = 0x77656e64;  // "wend"
-constexpr int schema_version = 1;
+constexpr int schema_version = 2;
 
 constexpr const char* schema = R"(
 CREATE TABLE provenance(
@@ -14,7 +14,7 @@ CREATE TABLE trainings(
   row INTEGER PRIMARY KEY, id TEXT NOT NULL, attempt INTEGER NOT NULL,
   status TEXT NOT NULL CHECK(status IN ('ok', 'failed')), cause TEXT, message TEXT,
   session INTEGER NOT NULL REFERENCES provenance, arm TEXT, point TEXT, seed INTEGER,
-  hash TEXT, final_state TEXT, snapshots TEXT, samples INTEGER, steps INTEGER, episodes INTEGER, train_s REAL,
+  hash TEXT, final_state TEXT, snapshots TEXT, traces TEXT, samples INTEGER, steps INTEGER, episodes INTEGER, train_s REAL,
   description TEXT NOT NULL, UNIQUE(id, attempt));
 CREATE TABLE cells(
   row INTEGER PRIMARY KEY, id TEXT NOT NULL, attempt INTEGER NOT NULL,
@@ -33,6 +33,10 @@ CREATE TABLE curves(
   training INTEGER NOT NULL REFERENCES trainings, curve INTEGER NOT NULL, point INTEGER NOT NULL,
   metric TEXT NOT NULL, robot INTEGER, x_name TEXT NOT NULL, x REAL, y REAL,
   PRIMARY KEY(training, curve, point)) WITHOUT ROWID;
+CREATE TABLE cell_curves(
+  cell INTEGER NOT NULL REFERENCES cells, curve INTEGER NOT NULL, point INTEGER NOT NULL,
+  metric TEXT NOT NULL, robot INTEGER, x_name TEXT NOT NULL, x REAL, y REAL,
+  PRIMARY KEY(cell, curve, point)) WITHOUT ROWID;
 )";
 
 }  // namespace wend::core

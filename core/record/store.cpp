@@ -69,14 +69,15 @@ InsertStatements::InsertStatements(Database& db)
       cell_attempts(db, attempts_of("cells").c_str()),
       training(db,
                "INSERT INTO trainings(id, attempt, status, cause, message, session, arm, point, seed, hash, "
-               "final_state, snapshots, samples, steps, episodes, train_s, description) "
-               "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
+               "final_state, snapshots, traces, samples, steps, episodes, train_s, description) "
+               "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       cell(db,
            "INSERT INTO cells(id, attempt, status, cause, message, session, arm, point, seed, world, variant, at, "
            "training, metrics, traces, decision_us, description) VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"),
       episode(db, "INSERT INTO episodes(cell, episode, robot, flags, steps, reward, hash) VALUES(?,?,?,?,?,?,?)"),
       metric(db, "INSERT INTO metrics(cell, episode, robot, name, value) VALUES(?,?,?,?,?)"),
-      curve(db, "INSERT INTO curves(training, curve, point, metric, robot, x_name, x, y) VALUES(?,?,?,?,?,?,?,?)") {}
+      curve(db, "INSERT INTO curves(training, curve, point, metric, robot, x_name, x, y) VALUES(?,?,?,?,?,?,?,?)"),
+      cell_curve(db, "INSERT INTO cell_curves(cell, curve, point, metric, robot, x_name, x, y) VALUES(?,?,?,?,?,?,?,?)") {}
 
 // ----------------------------------------------------------------------------------------------------------- opening
 
@@ -290,14 +291,14 @@ std::uint32_t Store::record_training(const std::string& id, const Json& descript
   return record([&] {
     InsertStatements& insert = *impl_->insert;
     const std::uint32_t number = bind_attempt(insert.training_attempts, insert.training, attempt, "/streams/0/seed");
-    const std::string snapshots = text_of(numbered(result.snapshots));
+    const std::string snapshots = text_of(numbered(result.snapshots)), traces = text_of(numbered(result.traces));
     if (status == "ok") {
-      insert.training.bind(result.hash).bind(result.final_state).bind(snapshots);
+      insert.training.bind(result.hash).bind(result.final_state).bind(snapshots).bind(traces);
       for (const std::uint64_t n : {result.samples, result.steps, result.episodes})
         insert.training.bind(static_cast<std::int64_t>(n));
       insert.training.bind(result.train_s);
     } else {
-      for (int i = 0; i < 7; ++i) insert.training.bind(nullptr);
+      for (int i = 0; i < 8; ++i) insert.training.bind(nullptr);
     }
     insert.training.bind(attempt.text).run();
     if (status == "ok") add_curves(insert.curve, impl_->db->last_row(), result.curves);
@@ -323,7 +324,10 @@ std::uint32_t Store::record_cell(const std::string& id, const Json& description,
       insert.cell.bind(nullptr).bind(nullptr).bind(nullptr);
     }
     insert.cell.bind(attempt.text).run();
-    if (status == "ok") add_episodes(insert, impl_->db->last_row(), result);
+    if (status != "ok") return number;
+    const std::int64_t row = impl_->db->last_row();
+    add_episodes(insert, row, result);
+    add_curves(insert.cell_curve, row, result.curves);
     return number;
   });
 }

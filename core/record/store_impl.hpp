@@ -9,12 +9,12 @@ namespace wend::core {
 
 struct InsertStatements {
   explicit InsertStatements(Database& db);
-  Statement training_attempts, cell_attempts, training, cell, episode, metric, curve;
+  Statement training_attempts, cell_attempts, training, cell, episode, metric, curve, cell_curve;
 };
 
 struct QueryStatements {
   explicit QueryStatements(Database& db);
-  Statement training, curves, cell, episodes, metrics;
+  Statement training, curves, cell, episodes, metrics, cell_curves;
 };
 
 struct Store::Impl {

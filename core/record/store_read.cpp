@@ -22,11 +22,28 @@ std::map<std::uint64_t, std::string> numbered(const Json& json) {
   return out;
 }
 
+std::vector<Curve> curves_of(Statement& query, std::int64_t row) {
+  std::vector<Curve> curves;
+  query.bind(row);
+  std::int64_t current = -1;
+  while (query.step()) {
+    if (query.integer(0) != current) {
+      current = query.integer(0);
+      Curve& curve = curves.emplace_back();
+      curve.metric = query.text(1);
+      if (!query.is_null(2)) curve.robot = static_cast<std::uint32_t>(query.integer(2));
+      curve.x = query.text(3);
+    }
+    curves.back().points.emplace_back(query.real(4), query.real(5));
+  }
+  return curves;
+}
+
 }  // namespace
 
 QueryStatements::QueryStatements(Database& db)
     : training(db,
-               "SELECT row, hash, final_state, snapshots, samples, steps, episodes, train_s FROM trainings "
+               "SELECT row, hash, final_state, snapshots, samples, steps, episodes, train_s, traces FROM trainings "
                "WHERE id = ? AND status = 'ok' ORDER BY attempt DESC LIMIT 1"),
       curves(db, "SELECT curve, metric, robot, x_name, x, y FROM curves WHERE training = ? ORDER BY curve, point"),
       cell(db,
@@ -35,7 +52,8 @@ QueryStatements::QueryStatements(Database& db)
       episodes(db,
                "SELECT episode, robot, flags, steps, reward, hash FROM episodes WHERE cell = ? "
                "ORDER BY episode, robot"),
-      metrics(db, "SELECT episode, robot, name, value FROM metrics WHERE cell = ? ORDER BY episode, robot") {}
+      metrics(db, "SELECT episode, robot, name, value FROM metrics WHERE cell = ? ORDER BY episode, robot"),
+      cell_curves(db, "SELECT curve, metric, robot, x_name, x, y FROM cell_curves WHERE cell = ? ORDER BY curve, point") {}
 
 Json Store::Impl::parse(const std::string& text, const char* what) const {
   auto json = parse_recorded(text);
@@ -76,22 +94,11 @@ std::optional<TrainingResult> Store::training(const std::string& id) const {
   result.steps = static_cast<std::uint64_t>(query.integer(5));
   result.episodes = static_cast<std::uint64_t>(query.integer(6));
   result.train_s = query.real(7);
+  const std::string traces = query.text(8);
   query.run();
   result.snapshots = numbered(impl_->parse(snapshots, "a training's list of snapshots"));
-
-  Statement& curves = impl_->query->curves;
-  curves.bind(row);
-  std::int64_t current = -1;
-  while (curves.step()) {
-    if (curves.integer(0) != current) {
-      current = curves.integer(0);
-      Curve& curve = result.curves.emplace_back();
-      curve.metric = curves.text(1);
-      if (!curves.is_null(2)) curve.robot = static_cast<std::uint32_t>(curves.integer(2));
-      curve.x = curves.text(3);
-    }
-    result.curves.back().points.emplace_back(curves.real(4), curves.real(5));
-  }
+  result.traces = numbered(impl_->parse(traces, "a training's list of traces"));
+  result.curves = curves_of(impl_->query->curves, row);
   return result;
 }
 
@@ -109,6 +116,7 @@ std::optional<CellResult> Store::cell(const std::string& id) const {
   for (const Json& name : metrics)
     if (name.is_string()) result.metrics.push_back(name.get<std::string>());
 
+  result.curves = curves_of(impl_->query->cell_curves, row);
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Statement& episodes = impl_->query->episodes;
   episodes.bind(row);

@@ -1,5 +1,6 @@
 #include <core/experiment/streams.hpp>
 #include <core/run/cell.hpp>
+#include <core/run/curves.hpp>
 #include <core/run/failure.hpp>
 #include <core/run/rollout.hpp>
 #include <core/run/telemetry.hpp>
@@ -76,7 +77,12 @@ class CellRun : public Rollout::Observer {
 
 CellResult run_cell(const Cell& cell, const std::string& state, const std::string& state_name, const WorkOptions& options) {
   const std::uint32_t copies = std::max(1u, std::min(options.batch, cell.episodes));
-  Stage stage(cell.world, cell.driver, cell.stream, {options.libraries, options.listener, copies});
+  SeriesBook series;
+  Listener listener = options.listener ? *options.listener : Listener{};
+  listener.series = [&](const std::string&, const char* x_name, double x, const char* y_name, double y) {
+    if (x_name && y_name) series.add(y_name, x_name, x, y);
+  };
+  Stage stage(cell.world, cell.driver, cell.stream, {options.libraries, &listener, copies});
   Driver driver(cell.driver, stage);
   if (!state.empty()) driver.load(state, state_name);
   CellRun run(cell, stage, driver, options);
@@ -95,7 +101,9 @@ CellResult run_cell(const Cell& cell, const std::string& state, const std::strin
     if (!idle.empty()) rollout.start(idle, episodes);
     if (!rollout.idle()) rollout.step(false);
   } while (!rollout.idle() || next < cell.episodes);
-  return run.take(rollout);
+  CellResult result = run.take(rollout);
+  result.curves = series.take();
+  return result;
 }
 
 void check_cell(const Cell& cell, const WorkOptions& options) {

@@ -1,5 +1,6 @@
 #include <core/run/curves.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wend::core {
@@ -32,6 +33,46 @@ std::vector<Curve> CurveBook::take() {
     curves.push_back(std::move(curve));
   }
   lines_.clear();
+  return curves;
+}
+
+void SeriesBook::add(const std::string& metric, const std::string& x_name, double x, double y) {
+  if (!std::isfinite(x) || !std::isfinite(y)) return;
+  Series& series = all_[{metric, x_name}];
+  const bool anew = series.runs.empty() || series.runs.back().empty() || x <= series.runs.back().back().first;
+  if (anew) {
+    series.full = series.runs.size() == most_runs;
+    if (!series.full) series.runs.emplace_back();
+  }
+  if (!series.full && series.runs.back().size() < most_points) series.runs.back().emplace_back(x, y);
+}
+
+SeriesBook::Points SeriesBook::mean(const std::vector<Points>& runs) {
+  std::vector<double> xs;
+  for (const Points& run : runs)
+    for (const auto& point : run) xs.push_back(point.first);
+  std::sort(xs.begin(), xs.end());
+  xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
+  std::vector<double> sums(xs.size(), 0.0);
+  std::vector<std::size_t> counts(xs.size(), 0);
+  for (const Points& run : runs) {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+      while (next < run.size() && run[next].first <= xs[i]) ++next;
+      if (next == 0) continue;
+      sums[i] += run[next - 1].second;
+      ++counts[i];
+    }
+  }
+  Points points;
+  for (std::size_t i = 0; i < xs.size(); ++i) points.emplace_back(xs[i], sums[i] / static_cast<double>(counts[i]));
+  return points;
+}
+
+std::vector<Curve> SeriesBook::take() {
+  std::vector<Curve> curves;
+  for (const auto& [key, series] : all_) curves.push_back({key.first, key.second, std::nullopt, mean(series.runs)});
+  all_.clear();
   return curves;
 }
 

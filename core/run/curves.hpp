@@ -1,4 +1,4 @@
-// Learning curves of one training, in bounded memory: neighbouring points are averaged when there are too many.
+// Curves of one training or test, in bounded memory: neighbouring points are averaged when there are too many.
 #pragma once
 #include <core/experiment/unit.hpp>
 
@@ -27,6 +27,24 @@ class CurveBook {
     std::uint64_t per_bin = 1;
   };
   std::map<std::tuple<std::string, std::string, std::optional<std::uint32_t>>, Line> lines_;
+};
+
+// Curves of which every one starts anew with each use, such as best fitness against generation in every planning: the
+// mean over all uses, in which one that ended early keeps its last value.
+class SeriesBook {
+ public:
+  void add(const std::string& metric, const std::string& x_name, double x, double y);
+  std::vector<Curve> take();
+
+ private:
+  static constexpr std::size_t most_runs = 100, most_points = 2000;  // of which more are left out
+  using Points = std::vector<std::pair<double, double>>;
+  struct Series {
+    std::vector<Points> runs;
+    bool full = false;  // the present run is one too many
+  };
+  static Points mean(const std::vector<Points>& runs);
+  std::map<std::pair<std::string, std::string>, Series> all_;
 };
 
 }  // namespace wend::core

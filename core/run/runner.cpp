@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace wend::core {
 namespace {
@@ -112,9 +113,22 @@ class Run {
       }
     }
     // A training is done for the cells that wait for it, and for its own curves; one that failed only if a cell retries it.
-    for (std::size_t i = 0; i < trainings_.size(); ++i)
-      if (const std::string& id = trainings_.id(i); waiting_.count(id) || !(trained.count(id) || untrained.count(id))) to_train_.push_back(i);
-    progress.trainings_done = progress.trainings - to_train_.size();
+    // Whatever one starts from stands before it in the plan, so the way back finds all that is missing.
+    std::map<std::string, std::vector<std::size_t>> followers;
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = trainings_.size(); i-- > 0;) {
+      const std::string& id = trainings_.id(i);
+      if (!waiting_.count(id) && !followers.count(id) && (trained.count(id) || untrained.count(id))) continue;
+      chosen.push_back(i);
+      const std::string source = trainings_[i].initial_training;
+      if (!source.empty() && !states_ready(source, trained)) followers[source].push_back(i);
+    }
+    progress.trainings_done = progress.trainings - chosen.size();
+    std::set<std::size_t> later;
+    for (auto& [source, list] : followers) later.insert(list.begin(), list.end());
+    for (auto i = chosen.rbegin(); i != chosen.rend(); ++i)
+      if (!later.count(*i)) to_train_.push_back(*i);
+    for (auto& [source, list] : followers) followers_[source].assign(list.rbegin(), list.rend());
   }
 
   void require_same_build(const std::map<std::string, DoneUnit>& done) const {
@@ -149,6 +163,7 @@ class Run {
     to_train_.clear();
     ready_.clear();
     waiting_.clear();
+    followers_.clear();
   }
 
   // A few more than there are workers, so that none waits, and no more, so that a plan of millions costs no memory.
@@ -166,6 +181,7 @@ class Run {
         request.plugins = plugin_files(catalog_, training.driver, training.worlds);
         for (const auto& world : training.selection_worlds) request.plugins[world.type] = catalog_.file_of(world.type);
         set_foreign_state(request, training.initial_state);
+        if (!training.initial_training.empty()) set_final_state(request, training.initial_training);
         running_trainings_[training.id] = i;
         pool_->submit(training.id, std::move(request));
       } else if (!ready_.empty()) {
@@ -188,6 +204,12 @@ class Run {
     if (hash.empty()) return;
     request.state = experiment_.state_files.at(hash);
     request.state_name = request.state;
+  }
+
+  void set_final_state(Request& request, const std::string& training) const {
+    const std::string& file = states_.at(training).final_state;
+    request.state = state_path(file);
+    request.state_name = "states/" + file;
   }
 
   void set_state(Request& request, const Cell& cell) const {
@@ -231,14 +253,20 @@ class Run {
   }
 
   void trained(const Training& training, const TrainingResult& result) {
-    if (const auto failure = lost(result.snapshots, result.final_state)) return training_failed(training, *failure);
+    for (const auto* files : {&result.snapshots, &result.traces})
+      if (const auto failure = lost(*files, result.final_state)) return training_failed(training, *failure);
     const auto publish = [&](const std::string& file) { publish_file(options_.directory + "/scratch/" + file, state_path(file)); };
     for (const auto& [at, file] : result.snapshots) publish(file);
     publish(result.final_state);
+    publish_traces(result.traces);
     store_->record_training(training.id, training, "ok", Json::object(), result);
     states_[training.id] = {result.snapshots, result.final_state};
     report_.progress.steps += result.steps;
     ++report_.progress.trainings_done;
+    if (const auto at = followers_.find(training.id); at != followers_.end()) {
+      to_train_.insert(to_train_.end(), at->second.begin(), at->second.end());
+      followers_.erase(at);
+    }
     const auto waiting = waiting_.find(training.id);
     if (waiting == waiting_.end()) return;
     ready_.insert(ready_.end(), waiting->second.begin(), waiting->second.end());
@@ -248,6 +276,12 @@ class Run {
   void training_failed(const Training& training, const Failure& failure) {
     store_->record_failure(UnitKind::training, training.id, training, failure);
     tell({"training", describe(training), failure});
+    if (const auto at = followers_.find(training.id); at != followers_.end()) {
+      const std::vector<std::size_t> lost_ones = std::move(at->second);
+      followers_.erase(at);
+      for (const std::size_t i : lost_ones)
+        training_failed(trainings_[i], {"training", "the training it starts from failed: " + failure.cause + ": " + failure.message});
+    }
     const auto waiting = waiting_.find(training.id);
     if (waiting == waiting_.end()) return;
     const Failure inherited{"training", "its training failed: " + failure.cause + ": " + failure.message};
@@ -258,9 +292,13 @@ class Run {
     waiting_.erase(waiting);
   }
 
+  void publish_traces(const std::map<std::uint64_t, std::string>& traces) const {
+    for (const auto& [episode, file] : traces) publish_file(options_.directory + "/scratch/" + file, options_.directory + "/traces/" + file);
+  }
+
   void tested(const Cell& cell, const CellResult& result) {
     if (const auto failure = lost(result.traces, "")) return cell_failed(cell, *failure);
-    for (const auto& [episode, file] : result.traces) publish_file(options_.directory + "/scratch/" + file, options_.directory + "/traces/" + file);
+    publish_traces(result.traces);
     store_->record_cell(cell.id, cell, "ok", Json::object(), result);
     for (const Episode& episode : result.episodes)
       for (const RobotEpisode& robot : episode.robots) report_.progress.steps += robot.steps;
@@ -296,7 +334,7 @@ class Run {
   std::map<std::string, States> states_;  // by training
   // Units by their place in the plan.
   std::deque<std::size_t> to_train_, ready_;
-  std::map<std::string, std::vector<std::size_t>> waiting_;  // for a training
+  std::map<std::string, std::vector<std::size_t>> waiting_, followers_;  // cells and trainings that wait for a training
   std::map<std::string, std::size_t> running_trainings_, running_cells_;
   RunReport report_;
 };

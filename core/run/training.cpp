@@ -5,6 +5,7 @@
 #include <core/run/rollout.hpp>
 #include <core/run/selection.hpp>
 #include <core/run/telemetry.hpp>
+#include <core/run/tracer.hpp>
 #include <core/run/training.hpp>
 
 #include <cstring>
@@ -29,6 +30,7 @@ class TrainingRun : public Rollout::Observer {
       require_same_spaces(*stage);
       rollouts_.push_back(std::make_unique<Rollout>(*stage, *driver_, *this));
       metrics_.push_back(std::make_unique<Telemetry>(WEND_PER_EPISODE, stage.get(), driver_.get()));
+      tracers_.push_back(std::make_unique<Tracer>(*stage, *driver_, training.traced_episodes, about(training, tracers_.size())));
     }
     updates_ = std::make_unique<Telemetry>(WEND_PER_UPDATE, nullptr, driver_.get());
   }
@@ -36,7 +38,11 @@ class TrainingRun : public Rollout::Observer {
   TrainingResult run() {
     const double before = thread_seconds();
     while (pending_ < training_.snapshots.size() && training_.snapshots[pending_] == 0) snapshot(training_.snapshots[pending_++]);
-    while (spent() < training_.budget.amount) episode();
+    while (spent() < training_.budget.amount) {
+      episode(WEND_TRAIN_EXPLORE);
+      const std::uint32_t every = training_.greedy_every;
+      if (every && result_.episodes % every == 0 && spent() < training_.budget.amount) episode(WEND_TRAIN_GREEDY);
+    }
     result_.final_state = file_name("final");
     write_file(options_.scratch + "/" + result_.final_state, final_state());
     result_.train_s = thread_seconds() - before;
@@ -45,6 +51,9 @@ class TrainingRun : public Rollout::Observer {
     return std::move(result_);
   }
 
+  void started(std::uint32_t copy) override { tracers_[world_]->started(copy, driven_ - 1); }
+  void stepped(const Rollout& rollout) override { tracers_[world_]->stepped(rollout); }
+
   void ended(const Rollout& rollout, const std::vector<std::uint32_t>& rows) override {
     const Telemetry& metrics = *metrics_[world_];
     const std::vector<double> values = metrics.names().empty() ? std::vector<double>() : metrics.read(rows);
@@ -52,11 +61,12 @@ class TrainingRun : public Rollout::Observer {
       const RowRecord& record = rollout.record(rows[i]);
       std::optional<std::uint32_t> robot;
       if (rollout.stage().robots() > 1) robot = rows[i] % rollout.stage().robots();
-      const auto x = static_cast<double>(result_.episodes + 1);
+      const bool greedy = mode_ == WEND_TRAIN_GREEDY;
+      const auto x = static_cast<double>(result_.episodes + (greedy ? 0 : 1));
       const auto add = [&](const std::string& name, double y) { book_.add(name, "train_episodes", robot, x, y); };
-      add("return", record.reward);
-      add("episode_steps", static_cast<double>(record.steps));
-      add("train_success", record.flags & WEND_ARRIVED ? 1 : 0);
+      add(greedy ? "greedy_return" : "return", record.reward);
+      add(greedy ? "greedy_episode_steps" : "episode_steps", static_cast<double>(record.steps));
+      add(greedy ? "greedy_success" : "train_success", record.flags & WEND_ARRIVED ? 1 : 0);
       for (std::size_t k = 0; k < metrics.names().size(); ++k) add(metrics.names()[k], values[i * metrics.names().size() + k]);
     }
   }
@@ -89,15 +99,15 @@ class TrainingRun : public Rollout::Observer {
     return training_.budget.unit == "steps" ? result_.steps : result_.episodes;
   }
 
-  void episode() {
-    const std::uint64_t index = result_.episodes;
+  // A greedy episode shows what was learned so far; it is not one of the budget.
+  void episode(std::uint32_t mode) {
+    const std::uint64_t index = driven_++;
+    mode_ = mode;
     world_ = index % training_.worlds.size();
     const WorldSpec& world = training_.worlds[world_];
     const auto variant = static_cast<std::uint32_t>(index / training_.worlds.size() % world.variants);
-    const bool greedy = training_.greedy_every && (index + 1) % training_.greedy_every == 0;
     Rollout& rollout = *rollouts_[world_];
-    rollout.start({0}, {episode_of(training_.streams[world_], world, variant, index,
-                                   greedy ? std::uint32_t{WEND_TRAIN_GREEDY} : std::uint32_t{WEND_TRAIN_EXPLORE})});
+    rollout.start({0}, {episode_of(training_.streams[world_], world, variant, index, mode)});
     const std::uint64_t before = result_.samples;
     bool stopped = false;
     while (!rollout.idle()) {
@@ -113,6 +123,8 @@ class TrainingRun : public Rollout::Observer {
     const std::string digest = rollout.digest(0);
     chain_.add(digest.data(), digest.size());
     if (stopped && !rollout.idle()) return;  // an episode that ended with the budget counts
+    if (auto trace = tracers_[world_]->finish(0)) keep_trace(std::move(*trace), index, variant);
+    if (mode == WEND_TRAIN_GREEDY) return;
     ++result_.episodes;
     report_updates();
     take_due_snapshots();
@@ -165,6 +177,18 @@ class TrainingRun : public Rollout::Observer {
     return kept_.best();
   }
 
+  static Json about(const Training& training, std::size_t world) {
+    return {{"arm", training.driver.arm}, {"world", training.worlds[world].id}, {"seed", training.streams[world].seed},
+            {"point", training.point}, {"training", true}};
+  }
+
+  void keep_trace(Trace trace, std::uint64_t index, std::uint32_t variant) {
+    trace.about["variant"] = variant;
+    const std::string file = training_.id.substr(0, 24) + "-t" + std::to_string(index) + ".npz";
+    write_trace(options_.scratch + "/" + file, trace);
+    result_.traces[index] = file;
+  }
+
   std::string file_name(const std::string& at) const { return training_.id.substr(0, 24) + "-" + at + ".state"; }
 
   const Training& training_;
@@ -175,12 +199,14 @@ class TrainingRun : public Rollout::Observer {
   std::unique_ptr<Driver> driver_;
   std::vector<std::unique_ptr<Rollout>> rollouts_;
   std::vector<std::unique_ptr<Telemetry>> metrics_;
+  std::vector<std::unique_ptr<Tracer>> tracers_;
   std::unique_ptr<Telemetry> updates_;
   Selection kept_;
   TrainingResult result_;
   Chain chain_;
   std::size_t pending_ = 0, world_ = 0;
-  std::uint64_t fruitless_ = 0;
+  std::uint32_t mode_ = WEND_TRAIN_EXPLORE;  // of the episode that runs
+  std::uint64_t driven_ = 0, fruitless_ = 0;  // episodes: all of them; the last ones that brought no sample
 };
 
 }  // namespace

@@ -51,10 +51,28 @@ Json head(const std::string& arm, const std::string& world, const Json& point, c
   return {{"arm", arm}, {"world", world}, {"point", point}, {"robot", nullptr}, {"metric", metric}, {"x", x}};
 }
 
-// The worlds in which a training is tested, else the one in which it trains.
+using CurveGroups = Ordered<std::string, CurveGroup>;
+
+void add(CurveGroups& groups, Json about, const Curve& curve) {
+  if (curve.robot) about["robot"] = *curve.robot;
+  CurveGroup& group = groups.at(about.dump(-1, ' ', false, Json::error_handler_t::replace));
+  group.head = std::move(about);
+  group.seeds.push_back(curve.points);
+}
+
+void move_into(Json& curves, CurveGroups& groups) {
+  for (CurveGroup& group : groups.groups()) {
+    Json points = aggregate(group.seeds);
+    if (points.empty()) continue;
+    group.head["points"] = std::move(points);
+    curves.push_back(std::move(group.head));
+  }
+}
+
+// The worlds in which its arm tests a training, else the one in which it trains.
 std::vector<std::string> worlds_of(const Training& training,
                                    const std::map<std::string, std::vector<std::string>>& tested) {
-  const auto found = tested.find(training.id);
+  const auto found = tested.find(training.id + training.driver.arm);
   if (found != tested.end()) return found->second;
   if (training.worlds.empty()) return {};
   return {training.worlds[0].id};
@@ -66,29 +84,20 @@ void add_training_curves(Json& curves, const std::vector<Training>& trainings, c
                          const TrainingResults& results) {
   std::map<std::string, std::vector<std::string>> tested;
   for (const Cell& cell : cells) {
-    auto& worlds = tested[cell.training];
+    auto& worlds = tested[cell.training + cell.driver.arm];
     if (std::find(worlds.begin(), worlds.end(), cell.world.id) == worlds.end()) worlds.push_back(cell.world.id);
   }
-  Ordered<std::string, CurveGroup> groups;
+  CurveGroups groups;
   for (const Training& training : trainings) {
     const auto result = results.find(training.id);
     if (result == results.end()) continue;
     for (const std::string& world : worlds_of(training, tested)) {
       for (const Curve& curve : result->second.curves) {
-        Json about = head(training.driver.arm, world, training.point, curve.metric, curve.x);
-        if (curve.robot) about["robot"] = *curve.robot;
-        CurveGroup& group = groups.at(about.dump(-1, ' ', false, Json::error_handler_t::replace));
-        group.head = std::move(about);
-        group.seeds.push_back(curve.points);
+        add(groups, head(training.driver.arm, world, training.point, curve.metric, curve.x), curve);
       }
     }
   }
-  for (CurveGroup& group : groups.groups()) {
-    Json points = aggregate(group.seeds);
-    if (points.empty()) continue;
-    group.head["points"] = std::move(points);
-    curves.push_back(std::move(group.head));
-  }
+  move_into(curves, groups);
 }
 
 // "success" and "collision", then every metric that a snapshot's row has, but for times of this machine.
@@ -139,7 +148,7 @@ struct Counts {
 };
 
 // Reads the results of all cells into their rows, and a line for each episode into `chain`.
-Counts gather(Rows& rows, const std::vector<Cell>& cells, const Store& store, std::vector<std::string>& chain) {
+Counts gather(Rows& rows, const std::vector<Cell>& cells, const Store& store, std::vector<std::string>& chain, CurveGroups& series) {
   const auto failures = store.failed(UnitKind::cell);
   Counts counts;
   for (const Cell& cell : cells) {
@@ -147,6 +156,8 @@ Counts gather(Rows& rows, const std::vector<Cell>& cells, const Store& store, st
     if (const auto result = store.cell(cell.id)) {
       ++counts.done;
       row.add(cell, *result);
+      if (!cell.at)
+        for (const Curve& curve : result->curves) add(series, head(cell.driver.arm, cell.world.id, cell.point, curve.metric, curve.x), curve);
       std::string line = "cell " + cell.id;
       for (const Episode& episode : result->episodes) line += " " + std::to_string(episode.index) + ":" + episode.hash;
       chain.push_back(std::move(line));
@@ -193,7 +204,8 @@ Json summarize(const std::string& experiment, const std::vector<Training>& train
     trained.emplace(training.id, std::move(*result));
   }
   Rows rows;
-  const Counts counts = gather(rows, cells, store, chain);
+  CurveGroups series;
+  const Counts counts = gather(rows, cells, store, chain, series);
   add_training_times(rows, trainings, cells, trained);
 
   std::set<std::string> worlds_with_outcomes;
@@ -204,6 +216,7 @@ Json summarize(const std::string& experiment, const std::vector<Training>& train
     results.push_back(row.summarize(worlds_with_outcomes.count(row.first().world.id) != 0));
   add_training_curves(curves, trainings, cells, trained);
   add_snapshot_curves(curves, rows.groups(), results);
+  move_into(curves, series);
 
   const Json version = store.build().value("version", Json());
   return {{"wend", version.is_string() ? version : Json("unknown")},

@@ -148,7 +148,7 @@ TEST_F(ExperimentFile, IdsAreWhatTheyWere) {  // a change here orphans every run
   const auto experiment = load(small_experiment());
   ASSERT_TRUE(experiment);
   EXPECT_EQ(experiment->cells().id(0), "595e16b24e6db68961a543e02791a624d0feefd906f31eec6f6ead81b96e655a");
-  EXPECT_EQ(experiment->trainings().id(0), "d992012e061109a0606dde7840af004e13a69c8dc2b3065cc2b295f54d7dd131");
+  EXPECT_EQ(experiment->trainings().id(0), "4ce14a45b396f890072142fae9c7ac80c342bf2e02f06551987196f6e469061f");
 }
 
 TEST_F(ExperimentFile, SweepsOverAllCombinationsInTheOrderOfTheFile) {
@@ -289,6 +289,46 @@ TEST_F(ExperimentFile, HandsOverAStateOfAnotherExperiment) {
   ASSERT_TRUE(goes_on) << complaints_;
   EXPECT_EQ(goes_on->trainings()[0].initial_state, hash);
   EXPECT_EQ(goes_on->cells()[9].state, "");
+}
+
+// "expert" goes on, seed by seed, from what "learns" has learned; "frozen" tests just that.
+TEST_F(ExperimentFile, HandsOverTheStateOfAnotherArm) {
+  Json json = small_experiment();
+  json["arms"][1]["train"]["worlds"] = {"open:train"};
+  for (const char* id : {"expert", "frozen"}) {
+    json["arms"].insert(json["arms"].begin(), json["arms"].back());
+    json["arms"][0]["id"] = id;
+    json["arms"][0]["train"] = {{"state", {{"arm", "learns"}}}};
+  }
+  json["arms"][1]["train"]["episodes"] = 5;
+  const auto experiment = load(json);
+  ASSERT_TRUE(experiment) << complaints_;
+  std::map<std::string, std::vector<Training>> trainings;
+  std::vector<std::string> order;
+  for (const Training& training : experiment->trainings()) {
+    trainings[training.driver.arm].push_back(training);
+    order.push_back(training.driver.arm);
+  }
+  ASSERT_EQ(trainings["learns"].size(), 3u);  // once for both arms and its own tests
+  ASSERT_EQ(trainings["expert"].size(), 6u);  // trained in each world that is tested
+  EXPECT_EQ(order.front(), "learns");         // what others start from comes first
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(trainings["expert"][i].initial_training, trainings["learns"][i % 3].id) << i;
+  EXPECT_EQ(trainings["learns"][0].initial_training, "");
+  for (const Cell& cell : experiment->cells()) {
+    if (cell.driver.arm == "frozen") {
+      EXPECT_EQ(cell.training, trainings["learns"][cell.stream.seed].id);
+    }
+  }
+}
+
+TEST_F(ExperimentFile, TracesTheTrainingsOfTheFirstSeeds) {
+  Json json = small_experiment();
+  json["record"] = {{"training", 7}, {"seeds", 2}};
+  const auto experiment = load(json);
+  ASSERT_TRUE(experiment) << complaints_;
+  for (const Training& training : experiment->trainings())
+    EXPECT_EQ(training.traced_episodes, training.streams[0].seed < 2 ? 7u : 0u);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <core/figure/figures.hpp>
 #include <core/figure/map_figure.hpp>
 #include <core/figure/outcome.hpp>
+#include <core/figure/step_series.hpp>
 
 #include "../../render/synthetic.hpp"
 
@@ -77,6 +78,53 @@ TEST(Figures, ARunDirectoryGetsAllThatItsRecordsAllow) {
   EXPECT_TRUE(shows(figures[0].figure, "arrived · 111 steps, 111.2 m"));
   EXPECT_TRUE(shows(figures[6].figure, "10,000 samples"));
   EXPECT_TRUE(shows(figures[8].figure, "90.0 %"));
+}
+
+TEST(Figures, TrialsOfATrainingStandOnOneMap) {
+  std::vector<Trace> traces;
+  for (int episode = 0; episode < 3; ++episode)
+    traces.push_back(recorded("a", "w", 0, {{"training", true}, {"episode", episode}}));
+  for (std::uint32_t& flags : traces[1].flags)
+    if (flags == test::arrived) flags = test::collided;
+  traces.push_back(recorded("a", "w", 0));
+  const auto figures = figures_of(summary(), traces, Json::object());
+  EXPECT_EQ(names(figures), (Names{"map_w_0", "trials_w_a", "curve_success_w", "success"}));
+  const Figure& trials = figures[1].figure;
+  EXPECT_EQ(trials.title, "test · w · a while it learns");
+  EXPECT_TRUE(shows(trials, "failed: 1 trial"));
+  EXPECT_TRUE(shows(trials, "arrived: 2 trials"));
+  EXPECT_TRUE(shows(trials, "collided"));  // what the end markers mean
+  EXPECT_FALSE(shows(figures[0].figure, "failed: 1 trial"));
+}
+
+TEST(Figures, StepsAreDrawnOverTime) {
+  std::vector<Trace> traces = {recorded("a", "w", 0), recorded("b", "w", 0)};
+  for (int episode = 0; episode < 2; ++episode)
+    traces.push_back(recorded("a", "w", 0, {{"training", true}, {"episode", episode}}));
+  for (Trace& trace : traces) {
+    trace.telemetry_names = {"avoid.q", "avoid.J"};
+    for (std::size_t t = 0; t < trace.reward.size(); ++t) {
+      trace.telemetry.push_back(0);
+      trace.telemetry.push_back(static_cast<double>(t));
+    }
+  }
+  traces[1].pose.clear();  // a world without a map has values over time all the same
+  const auto figures = figures_of(summary(), traces, {{"steps", {"J", "reward", "nothing"}}, {"variants", 0}, {"curves", Json::array()}});
+  EXPECT_EQ(names(figures), (Names{"trials_w_a", "success", "steps_J_w", "trial_steps_J_w_a", "steps_reward_w", "trial_steps_reward_w_a"}));
+  EXPECT_TRUE(shows(figures[2].figure, "b"));
+  EXPECT_TRUE(shows(figures[2].figure, "time (s)"));
+  EXPECT_FALSE(shows(figures[3].figure, "b"));
+}
+
+TEST(StepSeries, EpisodesFollowEachOtherWithAGap) {
+  Trace trace = recorded("a", "w", 0);
+  const std::size_t steps = trace.reward.size();
+  const auto points = step_series({&trace, &trace}, "reward");
+  ASSERT_EQ(points.size(), 2 * steps + 1);
+  EXPECT_EQ(points[0].x, trace.time[0]);
+  EXPECT_TRUE(std::isnan(points[steps].x));
+  EXPECT_EQ(points[steps + 1].x, trace.time.back() + trace.time[0]);
+  EXPECT_TRUE(step_series({&trace}, "J").empty());
 }
 
 TEST(Figures, OptionsChooseWorldsAndMaps) {

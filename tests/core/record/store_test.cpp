@@ -44,6 +44,7 @@ CellResult cell_result() {
   result.metrics = {"path_length_m", "é"};
   result.decision_us = 1.25;
   result.traces = {{0, "traces/a.npz"}};
+  result.curves = {{"best_fitness", "generation", {}, {{0, 12}, {1, 9.5}}}};
   for (std::uint64_t i = 0; i < 3; ++i)
     result.episodes.push_back({i + 5,
                                "hash" + std::to_string(i),
@@ -57,6 +58,7 @@ TrainingResult training_result() {
   result.hash = "chain";
   result.snapshots = {{500, "states/a"}, {2300, "states/b"}};
   result.final_state = "states/c";
+  result.traces = {{0, "traces/t0"}, {7, "traces/t7"}};
   result.samples = 10000;
   result.steps = 12345;
   result.episodes = 67;
@@ -69,6 +71,11 @@ void expect_equal(const CellResult& a, const CellResult& b) {
   EXPECT_EQ(a.metrics, b.metrics);
   EXPECT_EQ(a.traces, b.traces);
   EXPECT_EQ(a.decision_us, b.decision_us);
+  ASSERT_EQ(a.curves.size(), b.curves.size());
+  for (std::size_t i = 0; i < a.curves.size(); ++i) {
+    EXPECT_EQ(a.curves[i].metric, b.curves[i].metric);
+    EXPECT_EQ(a.curves[i].points, b.curves[i].points);
+  }
   ASSERT_EQ(a.episodes.size(), b.episodes.size());
   for (std::size_t i = 0; i < a.episodes.size(); ++i) {
     EXPECT_EQ(a.episodes[i].index, b.episodes[i].index);
@@ -106,6 +113,7 @@ TEST_F(StoreTest, GivesBackWhatWasRecorded) {
   EXPECT_EQ(training.hash, expected.hash);
   EXPECT_EQ(training.snapshots, expected.snapshots);
   EXPECT_EQ(training.final_state, expected.final_state);
+  EXPECT_EQ(training.traces, expected.traces);
   EXPECT_EQ(training.samples, expected.samples);
   EXPECT_EQ(training.steps, expected.steps);
   EXPECT_EQ(training.episodes, expected.episodes);
@@ -228,9 +236,9 @@ TEST_F(StoreTest, ForeignAndDamagedFilesAreRefusedWithTheirName) {
                                     "2003136100, found 0; give another directory");
   std::filesystem::remove(file());
   { Store store(folder_); }
-  Database(file(), Database::Access::write).run("PRAGMA user_version = 2");
+  Database(file(), Database::Access::write).run("PRAGMA user_version = 3");
   EXPECT_EQ(error_of_opening(),
-            file() + " has format 2, expected 1: use the wend that wrote it, or give another directory");
+            file() + " has format 3, expected 2: use the wend that wrote it, or give another directory");
 }
 
 TEST_F(StoreTest, ATruncatedOrOverwrittenFileIsRefused) {

@@ -40,6 +40,14 @@ TEST_F(CellTest, TellsWhatEachRobotBroughtHome) {
   }
 }
 
+TEST_F(CellTest, KeepsTheSeriesThatPluginsTell) {
+  const CellResult result = run(cell_of(counter(), table(), 5), 2);
+  ASSERT_EQ(result.curves.size(), 1u);
+  EXPECT_EQ(result.curves[0].metric, "plan");
+  EXPECT_EQ(result.curves[0].x, "round");
+  EXPECT_EQ(result.curves[0].points, (std::vector<std::pair<double, double>>{{0, 0}, {1, 2}}));  // the mean of 0 to 4
+}
+
 TEST_F(CellTest, TheBatchChangesNothing) {
   Cell cell = cell_of(counter({{"ends", {3, 17, 2, 9, 5, 1}}}, 3), script({{"random", true}}), 70);
   cell.driver.robot.sensors = {{"eye", eye({{"noise", 0.5}})}, {"other", eye({{"noise", 2}})}};

@@ -50,5 +50,27 @@ TEST(CurveBook, LeavesOutWhatDoesNotApplyAndKeepsRobotsApart) {
   EXPECT_TRUE(book.take().empty());
 }
 
+// Three plannings of 3, 1 and 2 generations: what ended early keeps its last value.
+TEST(SeriesBook, IsTheMeanOverAllUses) {
+  SeriesBook book;
+  for (const auto& [x, y] : {std::pair(0, 9.0), {1, 6.0}, {2, 3.0}, {0, 3.0}, {0, 6.0}, {1, 0.0}})
+    book.add("best", "generation", x, y);
+  book.add("best", "generation", 2, NAN);
+  const auto curves = book.take();
+  ASSERT_EQ(curves.size(), 1u);
+  EXPECT_EQ(curves[0].metric, "best");
+  EXPECT_EQ(curves[0].x, "generation");
+  EXPECT_EQ(curves[0].points, (std::vector<std::pair<double, double>>{{0, 6}, {1, 3}, {2, 2}}));
+  EXPECT_TRUE(book.take().empty());
+}
+
+TEST(SeriesBook, LeavesOutWhatIsTooMuch) {
+  SeriesBook book;
+  for (int run = 0; run < 150; ++run) book.add("best", "generation", 0, run < 100 ? 1 : 1000);
+  EXPECT_EQ(book.take()[0].points, (std::vector<std::pair<double, double>>{{0, 1}}));
+  for (int i = 0; i < 3000; ++i) book.add("best", "generation", i, i);
+  EXPECT_EQ(book.take()[0].points.size(), 2000u);
+}
+
 }  // namespace
 }  // namespace wend::core

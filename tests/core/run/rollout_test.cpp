@@ -54,9 +54,9 @@ TEST_F(RolloutTest, IdleCopiesTakeTheNextEpisode) {
 }
 
 TEST_F(RolloutTest, LearnsAfterScoringAndBeforeTheNextAction) {
-  Training training = training_of(counter({{"ends", {2, 1}}, {"log", true}}), table({{"log", true}}), {"episodes", 2});
+  Training training = training_of(counter({{"ends", {2, 1}}, {"log", true}}), table({{"log", true}}), {"steps", 3});
   training.driver.reward = pay({{"log", true}});
-  training.greedy_every = 2;
+  training.greedy_every = 1;
   run(training);
   EXPECT_EQ(told_, (Lines{"world: reset 0 #0 explore",
                           "reward: begin 0",

@@ -118,6 +118,66 @@ TEST_F(RunnerTest, TrainsAgainWhereAStateIsGone) {
   EXPECT_EQ(report.progress.done, other.cells().size());
 }
 
+// An arm that goes on from another arm's training starts with its state, seed by seed, and waits for it.
+TEST_F(RunnerTest, ATrainingGoesOnFromAnother) {
+  Json json = usual();
+  json["arms"].push_back(Json::parse(R"({"id": "more", "policy": "test.table", "train": {"worlds": ["short:train"], "samples": 20, "state": {"arm": "table"}}})"));
+  json["arms"].push_back(Json::parse(R"({"id": "as_it_is", "policy": "test.table", "train": {"state": {"arm": "table"}}})"));
+  const Experiment experiment = load(json);
+  const RunReport report = run_it(experiment, options("run"));
+  EXPECT_EQ(report.progress.failed, 0u);
+  const auto rewards = [&](const std::string& arm) {
+    const Store store(folder_ + "/run", true);
+    std::vector<double> all;
+    for (const Cell& cell : experiment.cells())
+      if (cell.driver.arm == arm && !cell.at) {
+        const CellResult result = store.cell(cell.id).value();
+        for (const Episode& episode : result.episodes) all.push_back(episode.robots[0].reward);
+      }
+    return all;
+  };
+  EXPECT_EQ(rewards("as_it_is"), rewards("table"));
+  {
+    const Store store(folder_ + "/run", true);
+    std::map<std::string, std::string> states;  // of the arm "table", by training
+    for (const Training& training : experiment.trainings()) {
+      const TrainingResult result = store.training(training.id).value();
+      if (training.driver.arm == "table") states[training.id] = result.final_state;
+      if (training.driver.arm != "more") continue;
+      ASSERT_TRUE(states.count(training.initial_training));
+      Training alone = training;
+      alone.id = std::string(64, 'e');
+      const std::string initial = read_file(folder_ + "/run/states/" + states[training.initial_training]);
+      EXPECT_EQ(run_training(alone, initial, "", RunTest::options()).hash, result.hash);
+    }
+  }
+  std::filesystem::remove_all(folder_ + "/run/states");  // both are needed again for a cell that is new
+  json["arms"][2]["worlds"] = {"short"};
+  json["test"]["episodes"] = 5;
+  const Experiment other = load(json);
+  const RunReport again = run_it(other, options("run"));
+  EXPECT_EQ(again.progress.failed, 0u);
+  EXPECT_EQ(again.progress.done, other.cells().size());
+}
+
+TEST_F(RunnerTest, ATrainingFailsWithTheOneItStartsFrom) {
+  Json json = usual();
+  json["arms"][1]["policy"] = {{"type", "test.table"}, {"params", {{"use", 0}}}};
+  json["arms"].push_back(Json::parse(R"({"id": "more", "policy": "test.table", "worlds": ["short"], "train": {"worlds": ["short:train"], "samples": 20, "state": {"arm": "table"}}})"));
+  const Experiment experiment = load(json);
+  run_it(experiment, options("run"));
+  const Store store(folder_ + "/run", true);
+  const std::string why = "training: policy (test.table): a budget of 30 samples, but 2000 episodes on end brought none; found 0 so far";
+  std::size_t followers = 0;
+  const auto failed = store.failed(UnitKind::training);
+  for (const Training& training : experiment.trainings()) {
+    if (training.driver.arm != "more") continue;
+    ++followers;
+    EXPECT_EQ(failed.at(training.id).failure.message, "the training it starts from failed: " + why);
+  }
+  EXPECT_EQ(followers, 2u);
+}
+
 TEST_F(RunnerTest, AFailureIsOfItsCellAlone) {
   Json json = usual();
   json["arms"].push_back(Json::parse(

@@ -1,3 +1,4 @@
+#include <core/record/trace.hpp>
 #include <core/run/driver.hpp>
 
 #include "fixture.hpp"
@@ -70,17 +71,40 @@ TEST_F(TrainingTest, SnapshotsEqualShorterTrainings) {
   }
 }
 
-// Every third episode is greedy; the greedy action of a learner that was never finished is 0.
+// After every third episode a greedy one, which the budget and the count of episodes leave out.
 TEST_F(TrainingTest, DrivesEveryNthEpisodeGreedily) {
   Training training = usual({"episodes", 7});
   training.greedy_every = 3;
   training.worlds[0].params["log"] = true;
-  run(training);
+  const TrainingResult result = run(training);
+  EXPECT_EQ(result.episodes, 7u);
+  EXPECT_EQ(result.steps, 9 * 4u);
+  EXPECT_EQ(curve(result, "return", "train_episodes")->points.size(), 7u);
+  const Curve* greedy = curve(result, "greedy_episode_steps", "train_episodes");
+  ASSERT_NE(greedy, nullptr);
+  EXPECT_EQ(greedy->points, (std::vector<std::pair<double, double>>{{3, 4}, {6, 4}}));
   std::vector<std::string> modes;
   for (const std::string& line : told_)
     if (line.find("reset") != std::string::npos) modes.push_back(line.substr(std::string("world: reset 0 #").size()));
-  EXPECT_EQ(modes, (std::vector<std::string>{"0 explore", "1 explore", "2 greedy", "3 explore", "4 explore", "5 greedy",
-                                             "6 explore"}));
+  EXPECT_EQ(modes, (std::vector<std::string>{"0 explore", "1 explore", "2 explore", "3 greedy", "4 explore", "5 explore",
+                                             "6 explore", "7 greedy", "8 explore"}));
+}
+
+TEST_F(TrainingTest, TracesItsFirstEpisodes) {
+  Training training = usual({"episodes", 5});
+  training.traced_episodes = 2;
+  training.worlds[0].variants = 3;
+  const TrainingResult result = run(training);
+  ASSERT_EQ(result.traces.size(), 2u);
+  for (const auto& [episode, name] : result.traces) {
+    const Trace trace = read_trace(folder_ + "/" + name);
+    EXPECT_EQ(trace.about["training"], true);
+    EXPECT_EQ(trace.about["episode"], episode);
+    EXPECT_EQ(trace.about["variant"], episode);
+    EXPECT_EQ(trace.reward.size(), 4u);
+  }
+  training.traced_episodes = 0;
+  EXPECT_EQ(run(training).hash, result.hash);
 }
 
 TEST_F(TrainingTest, VisitsItsWorldsInTurn) {

@@ -244,7 +244,11 @@ class Table {
   }
   void begin(wend::Rows rows, wend::Episodes episodes) {
     tell_("begin" + listed(rows));
-    for (std::size_t i = 0; i < rows.size(); ++i) rows_[rows[i]] = episodes[i];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows_[rows[i]] = episodes[i];
+      for (int k = 0; episodes[i].mode == WEND_TEST && k < 2; ++k)  // as a planner does with each plan
+        host_->series(host_, "round", k, "plan", k * static_cast<double>(episodes[i].index));
+    }
   }
   void act(wend::Rows rows, wend::Matrix<const double> observations, wend::Matrix<double> actions) {
     tell_("act" + listed(rows));
