@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "products.hpp"
+
 namespace lspi {
 namespace {
 
@@ -13,9 +15,8 @@ using Rows = Eigen::Map<const Matrix>;
 using Eigen::Index;
 using Chosen = std::vector<std::uint32_t>;  // numbers of samples
 
-constexpr double negligible =
-    1e-12;                          // beside the largest: a pivot that is rounding error, a reciprocal condition number
-constexpr std::size_t chunk = 256;  // samples gathered at a time, so that the copies stay in the cache
+constexpr double negligible = 1e-12;   // beside the largest pivot: rounding error; as 1 / condition number: singular
+constexpr std::uint32_t settling = 2;  // iterations whose weights still remember those that it started from
 
 // A and b of LSTDQ.  phi(s, a) is phi(s) in block a and zero elsewhere, so A falls into K x K blocks of m x m.  Phi^T
 // Phi is block-diagonal and, like b = Phi^T R, stays what it is; block (a, a') of Phi^T Phi' sums over the samples of
@@ -31,8 +32,7 @@ class System {
         by_action_(k_),
         followed_(samples.size(), k_),
         moves_((k_ + 1) * k_),
-        own_(static_cast<Index>(chunk), m_),
-        next_(static_cast<Index>(chunk), m_),
+        products_(samples.features),
         a_(Matrix::Zero(k_ * m_, k_ * m_)),
         b_(Vector::Zero(k_ * m_)) {
     for (std::uint32_t i = 0; i < samples.size(); ++i) by_action_[samples.actions[i]].push_back(i);
@@ -63,12 +63,10 @@ class System {
   // The part of Phi^T Phi and b that belongs to an action.
   void start(std::uint32_t action) {
     Matrix gram = Matrix::Zero(m_, m_);
-    in_chunks(by_action_[action], [&](std::span<const std::uint32_t> some) {
-      const Rows own = gather(samples_.phi, some, own_);
-      gram.selfadjointView<Eigen::Lower>().rankUpdate(own.transpose());
-      for (std::size_t i = 0; i < some.size(); ++i)
-        b_.segment(action * m_, m_) += samples_.rewards[some[i]] * own.row(static_cast<Index>(i)).transpose();
-    });
+    products_.add_square(samples_.phi.data(), by_action_[action], gram.data());
+    for (const std::uint32_t i : by_action_[action])
+      b_.segment(action * m_, m_) +=
+          samples_.rewards[i] * Eigen::Map<const Vector>(&samples_.phi[i * samples_.features], m_);
     block(action, action) = gram.selfadjointView<Eigen::Lower>();
     const Vector pivots = gram.ldlt().vectorD().cwiseAbs();
     rank_ += static_cast<std::uint32_t>((pivots.array() > negligible * pivots.maxCoeff()).count());
@@ -79,21 +77,9 @@ class System {
     const Chosen& moved = moves_[from * k_ + to];
     if (moved.empty()) return;
     Matrix sum = Matrix::Zero(m_, m_);
-    in_chunks(moved, [&](std::span<const std::uint32_t> some) {
-      sum.noalias() += gather(samples_.phi, some, own_).transpose() * gather(samples_.next_phi, some, next_);
-    });
+    products_.add(samples_.phi.data(), samples_.next_phi.data(), moved, sum.data());
     block(action, to) -= discount_ * sum;
     if (from < k_) block(action, from) += discount_ * sum;
-  }
-
-  template <class Use>
-  static void in_chunks(std::span<const std::uint32_t> all, Use&& use) {
-    for (std::size_t at = 0; at < all.size(); at += chunk) use(all.subspan(at, std::min(chunk, all.size() - at)));
-  }
-  Rows gather(const std::vector<double>& rows, std::span<const std::uint32_t> some, Matrix& into) const {
-    for (std::size_t i = 0; i < some.size(); ++i)
-      std::copy_n(rows.data() + some[i] * samples_.features, samples_.features, into.data() + i * samples_.features);
-    return {into.data(), static_cast<Index>(some.size()), m_};
   }
 
   const Samples& samples_;
@@ -103,7 +89,7 @@ class System {
   std::vector<Chosen> by_action_;
   std::vector<std::uint32_t> followed_;  // the action that A takes to follow a sample; k_: none yet
   std::vector<Chosen> moves_;
-  Matrix own_, next_;
+  Products products_;
   Matrix a_;
   Vector b_;
   std::uint32_t rank_ = 0;
@@ -119,6 +105,12 @@ void improve(const Samples& samples, const Vector& w, std::vector<std::uint32_t>
     const double* row = q.data() + i * q.cols();
     greedy[static_cast<std::size_t>(i)] = static_cast<std::uint32_t>(std::max_element(row, row + q.cols()) - row);
   }
+}
+
+std::size_t different(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) n += a[i] != b[i];
+  return n;
 }
 
 // LU; where A is singular within rounding, the shortest of the least-squares solutions.
@@ -153,6 +145,8 @@ std::uint32_t greedy(std::span<const double> features, std::span<const double> w
   return best;
 }
 
+// Figure 8 of Lagoudakis & Parr.  Where the policies run into a cycle, none is its own improvement: kept are the
+// weights whose improvement changed the policy in the fewest samples, the first of equals.
 Solution solve(const Samples& samples, const SolverOptions& options, std::vector<double> weights) {
   // Eigen's blocking, and with it the order of additions, would depend on the cache sizes of the CPU.
   [[maybe_unused]] static const bool pinned = (Eigen::setCpuCacheSizes(32 << 10, 512 << 10, 4 << 20), true);
@@ -161,17 +155,25 @@ Solution solve(const Samples& samples, const SolverOptions& options, std::vector
   System system(samples, options);
   std::vector<std::uint32_t> successors(samples.size()), before;
   improve(samples, w, successors);
-  Solution solution;
+  Solution solution, kept;
+  std::size_t fewest = samples.size() + 1;
   solution.rank = system.rank();
   for (; solution.iterations < options.iterations && !solution.converged; ++solution.iterations) {
     system.follow(successors);
     solve_system(system, w, solution);
     before = successors;
     improve(samples, w, successors);
-    solution.converged = successors == before;
+    const std::size_t changes = different(successors, before);
+    solution.converged = changes == 0;
+    const bool settled = solution.iterations >= settling || options.iterations <= settling;
+    if (solution.converged || (settled && changes < fewest)) {
+      fewest = changes;
+      kept = solution;
+      kept.weights.assign(w.data(), w.data() + w.size());
+    }
   }
-  solution.weights.assign(w.data(), w.data() + w.size());
-  return solution;
+  kept.iterations = solution.iterations;
+  return kept;
 }
 
 }  // namespace lspi

@@ -25,8 +25,9 @@ struct SolverOptions {
 struct Solution {
   std::vector<double> weights;  // K x m, row-major: Q(s, a) = phi(s) . weights[a]
   std::uint32_t iterations = 0;
-  bool converged = false;  // the greedy actions in all s' stopped changing: the weights are those of their own policy
-  double residual = 0;     // |A w - b| / |b| of the last system
+  bool converged = false;  // the greedy actions in all s' stopped changing: the weights are those of their own policy;
+                           // if not, they are those of the iteration after which the fewest of these actions changed
+  double residual = 0;     // |A w - b| / |b| of the system that gave the weights
   double condition = 0;    // estimate of A's condition number (1-norm)
   std::uint32_t rank = 0;  // of Phi: how many of the K m weights the samples determine without a ridge
 };

@@ -173,3 +173,21 @@ TEST(Lspi, WarnsOfTooFewStates) {
             "the 10 samples determine 1 of 15 weights: collect from more states, or take a smaller basis");
   EXPECT_NEAR(learner.values(1, 2)[straight], 5, 1e-10);
 }
+
+TEST(Lspi, WarnsOfAnIllConditionedSystem) {
+  Learner learner;
+  ASSERT_TRUE(learner.set("ridge", 0).set("degree", 1).create());
+  const auto around = [&](std::uint32_t action, double d, int times) {
+    for (int i = 0; i < times; ++i)
+      for (const double l : {2 - d, 2 + d})
+        for (const double r : {2 - d, 2 + d}) learner.learn({l, r, 0}, action, 5, {1, 2, 0}, WEND_TERMINATED);
+  };
+  around(straight, 2, 50), around(left, 6e-6, 1), around(right, 2, 50);  // squares of 3e-6 beside sums of 200
+  learner.finish();
+  EXPECT_EQ(learner.telemetry(WEND_PER_UPDATE)[5], 9) << "not for want of rank";
+  EXPECT_NEAR(learner.telemetry(WEND_PER_UPDATE)[4], 200 / (4 * 9e-12), 1e10);
+  ASSERT_EQ(learner.logged.size(), 1u);
+  EXPECT_EQ(learner.logged[0].level, 2u);
+  EXPECT_EQ(learner.logged[0].text,
+            "the 404 samples make an ill-conditioned system: collect from more states or raise ridge");
+}

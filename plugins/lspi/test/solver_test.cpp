@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <wend/random.hpp>
 
@@ -37,12 +38,14 @@ Eigen::VectorXd whole(const double* phi, std::size_t m, std::uint32_t action, st
 struct Naive {
   Eigen::VectorXd w;
   std::uint32_t iterations = 0;
+  std::vector<Eigen::VectorXd> trail;  // w of every iteration
+  std::vector<std::size_t> changes;    // in how many samples its improvement changed the policy
 };
 
 Naive naive_lspi(const lspi::Samples& samples, const lspi::SolverOptions& options) {
   const std::size_t m = samples.features;
   const auto size = static_cast<long>(m * options.actions);
-  Naive found{Eigen::VectorXd::Zero(size)};
+  Naive found{Eigen::VectorXd::Zero(size), 0, {}, {}};
   const auto best = [&](std::size_t i) {
     std::uint32_t action = 0;
     for (std::uint32_t a = 1; a < options.actions; ++a)
@@ -68,7 +71,9 @@ Naive naive_lspi(const lspi::Samples& samples, const lspi::SolverOptions& option
     a.diagonal().array() += options.ridge * square / static_cast<double>(size);
     found.w = a.fullPivLu().solve(b);
     const auto before = policy;
-    for (std::size_t i = 0; i < samples.size(); ++i) policy[i] = best(i);
+    found.trail.push_back(found.w);
+    found.changes.push_back(0);
+    for (std::size_t i = 0; i < samples.size(); ++i) found.changes.back() += (policy[i] = best(i)) != before[i];
     if (policy == before) break;
   }
   return found;
@@ -106,6 +111,36 @@ TEST(Solver, StopsAtTheCap) {
   const lspi::Solution found = lspi::solve(random_samples(700, 6, 3, 1), {3, 0.9, 0, 1});
   EXPECT_EQ(found.iterations, 1u);
   EXPECT_FALSE(found.converged);
+}
+
+// Q(s', 0) = 1.  The policy that takes action 1 in s' = 4 s makes w_1 = 1 / (1 - 0.5 * 4) = -1, worse than action 0;
+// the one that takes action 0 makes it 1 + 0.5 * 4 * 1 = 3, better: each is the other's improvement, for ever.
+TEST(Solver, KeepsTheSteadiestPolicyOfACycle) {
+  lspi::Samples samples{1, {1, 1}, {0, 4}, {0, 1}, {1, 1}, {1, 0}};
+  for (const std::uint32_t cap : {3u, 10u, 20u, 21u}) {
+    const lspi::Solution found = lspi::solve(samples, {2, 0.5, 0, cap});
+    EXPECT_FALSE(found.converged);
+    EXPECT_EQ(found.iterations, cap);
+    EXPECT_EQ(found.weights, (std::vector<double>{1, 3})) << "the third iteration's, as both change one sample";
+  }
+}
+
+TEST(Solver, KeepsThePolicyThatItsImprovementChangesLeast) {
+  int cycles = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const lspi::Samples samples = random_samples(30, 3, 3, seed);
+    const lspi::SolverOptions options{3, 0.99, 0, 20};
+    const Naive naive = naive_lspi(samples, options);
+    if (naive.changes.back() == 0) continue;
+    const auto best = std::min_element(naive.changes.begin() + 2, naive.changes.end());
+    cycles += *best < naive.changes.back();
+    const lspi::Solution found = lspi::solve(samples, options);
+    EXPECT_FALSE(found.converged);
+    for (std::size_t k = 0; k < found.weights.size(); ++k)
+      EXPECT_NEAR(found.weights[k], naive.trail[best - naive.changes.begin()][static_cast<long>(k)], 1e-8)
+          << seed << " " << k;
+  }
+  EXPECT_GE(cycles, 10) << "too few of them end on a policy that changes more";
 }
 
 TEST(Solver, StartsFromTheGivenWeights) {
