@@ -1,171 +1,77 @@
-// Measures the arena through its C table: ns a ray, and steps a second of one robot with six beams of 8 m among discs
-// in 100 x 100 m, in thread CPU time without resets.  Not a test; run it by hand on an idle machine:
-//   bench_arena [seconds a slice [obstacles]]
-#include <unistd.h>
+// Measures the arena through its C table: ns a ray, steps a second of a robot with six beams, and allocations a step,
+// in thread CPU time without resets.
+//   bench_arena [--json] [obstacles]
+#include <cstring>
 
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
-#include <fstream>
-#include <map>
-#include <string>
-#include <vector>
-#include <wend/plugin.hpp>
+#include "course.hpp"
 
-#include "../scenes/scene_file.hpp"
+extern "C" void* __libc_malloc(std::size_t);
+extern "C" void* __libc_calloc(std::size_t, std::size_t);
+extern "C" void* __libc_realloc(void*, std::size_t);
+extern "C" void* __libc_memalign(std::size_t, std::size_t);
 
 namespace {
 
-constexpr std::uint32_t copies = 64, beams = 6;
-constexpr double reach = 8;
+std::uint64_t allocations = 0;
 
-double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}  // namespace
+
+// Every allocation of the process, operator new's too, comes through these.
+extern "C" {
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* from, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(from, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
 }
 
-volatile double sink;  // or the compiler would drop what nobody reads
+namespace {
 
-// Discs of 0.3 to 1.2 m; a quarter of that where they are many.  The goal is too small to be met.
-arena::Scene scene_of(int n) {
-  arena::Scene scene;
-  wend::Random random(static_cast<std::uint64_t>(n));
-  for (int k = 0; k < n; ++k) {
-    const arena::Disc disc{random.uniform(0, 100), random.uniform(0, 100), random.uniform(0.3, 1.2)};
-    if (disc.x > 3 || disc.y > 3) scene.discs.push_back({disc.x, disc.y, n < 2000 ? disc.radius : 0.25 * disc.radius});
+double allocations_per_step(bench::Loop& loop, int batches) {
+  std::uint64_t counted = 0;
+  for (int k = 0; k < batches; ++k) {
+    const std::uint64_t before = allocations;
+    loop.sense();
+    loop.move();
+    counted += allocations - before;
+    loop.restart_ended();
   }
-  scene.goals = {{1, 1, 0.001, {}, 0}};
-  scene.name = "bench";
-  return scene;
+  return static_cast<double>(counted) / (batches * static_cast<double>(bench::copies));
 }
-
-struct Arena {
-  const wend_component* type = wend_plugin_1.components[0];
-  wend_host host{};
-  wend_object* self = nullptr;
-  const wend_world* world = nullptr;
-  const wend_geometry2d* geometry = nullptr;
-
-  explicit Arena(int obstacles) {
-    host.size = sizeof host;
-    host.fail = [](const wend_host*, wend_status code, const char* param, const char* message) {
-      std::fprintf(stderr, "%s: %s\n", param ? param : "", message);
-      return code;
-    };
-    const std::string path = "/tmp/bench_arena_" + std::to_string(::getpid()) + ".json";
-    std::ofstream(path) << arena::format_scene(scene_of(obstacles));
-    const std::map<std::string, wend_value> values{
-        {"cell", {"cell", nullptr, 1}},         {"dt", {"dt", nullptr, 0.1}},
-        {"optimal", {"optimal", nullptr, 0}},   {"scene/0", {"scene/0", path.c_str(), 0}},
-        {"substeps", {"substeps", nullptr, 1}}, {"time_limit", {"time_limit", nullptr, 1e6}},
-        {"walled", {"walled", nullptr, 1}}};
-    const wend_value robot[] = {{"body/radius", nullptr, 0.3},
-                                {"kinematics/half_track", nullptr, 0.2},
-                                {"kinematics/type", "differential", 0},
-                                {"kinematics/wheel_radius", nullptr, 0.1},
-                                {"kinematics/wheel_speed", nullptr, 20}};
-    std::vector<wend_value> table;
-    for (const auto& [key, value] : values) table.push_back(value);
-    wend_config config{};
-    config.size = sizeof config, config.copies = copies, config.robots = 1;
-    config.values = table.data(), config.value_count = static_cast<std::uint32_t>(table.size());
-    config.robot_values = robot, config.robot_value_count = 5;
-    if (type->create(&host, &config, &self) != WEND_OK) std::exit(1);
-    ::unlink(path.c_str());
-    world = static_cast<const wend_world*>(type->query(self, WEND_WORLD));
-    geometry = static_cast<const wend_geometry2d*>(type->query(self, WEND_GEOMETRY2D));
-  }
-  ~Arena() { type->destroy(self); }
-  void reset(std::uint32_t copy, std::uint64_t index) {
-    const wend_episode episode{index, wend::stream(copy, index), 1, 0, WEND_TEST};
-    if (world->reset(self, &copy, 1, &episode) != WEND_OK) std::exit(1);
-  }
-};
-
-// A batch of 64 copies for a while: sense six beams, turn away from what is near, step.
-struct Loop {
-  Arena& arena;
-  std::vector<std::uint32_t> all, rows;
-  std::vector<wend_pose> poses = std::vector<wend_pose>(copies), rays = std::vector<wend_pose>(copies * beams);
-  std::vector<double> sides = std::vector<double>(copies, 6);
-  std::vector<double> ranges = std::vector<double>(copies * beams), actions = std::vector<double>(copies * 2);
-  std::vector<std::uint8_t> kinds = std::vector<std::uint8_t>(copies * beams);
-  std::vector<wend_outcome> outcomes = std::vector<wend_outcome>(copies);
-  std::uint64_t episodes = 0;
-  double restarting = 0;  // s, left out of what is told
-  bool driving = true, sensing = true;
-
-  explicit Loop(Arena& a) : arena(a) {
-    for (std::uint32_t c = 0; c < copies; ++c) {
-      all.push_back(c);
-      for (std::uint32_t b = 0; b < beams; ++b) rows.push_back(c);
-      arena.reset(c, episodes++);
-    }
-    sense();
-    for (std::uint32_t c = 0; c < copies; ++c) arena.reset(c, episodes++);  // now the reach is known
-  }
-  void sense() {
-    arena.geometry->poses(arena.self, all.data(), copies, poses.data());
-    constexpr double axes[beams] = {1.3, 0.8, 0.25, -0.25, -0.8, -1.3};
-    for (std::uint32_t c = 0; c < copies; ++c)
-      for (std::uint32_t b = 0; b < beams; ++b)
-        rays[c * beams + b] = {poses[c].x, poses[c].y, poses[c].heading + axes[b]};
-    arena.geometry->cast(arena.self, rows.data(), rays.data(), copies * beams, reach,
-                         WEND_WALL | WEND_OBSTACLE | WEND_MOVER | WEND_ROBOT, ranges.data(), kinds.data());
-  }
-  void step() {
-    for (std::uint32_t c = 0; c < copies; ++c) {
-      const double* r = &ranges[c * beams];
-      const double left = std::min(r[1], r[2]), right = std::min(r[3], r[4]), near = std::min(left, right);
-      if (near >= 3) sides[c] = left > right ? 6 : -6;  // kept until it is clear again: nobody dithers on the spot
-      const double turn = near < 3 ? sides[c] : 0, go = near < 1 ? 0 : 10;
-      actions[2 * c] = go - turn, actions[2 * c + 1] = go + turn;
-    }
-    arena.world->step(arena.self, all.data(), copies, actions.data(), outcomes.data());
-    for (std::uint32_t c = 0; c < copies; ++c)
-      if (outcomes[c].flags != 0) restart(c);
-  }
-  void restart(std::uint32_t copy) {
-    const double begin = now();
-    arena.reset(copy, episodes++);
-    outcomes[copy].flags = 0;
-    restarting += now() - begin;
-  }
-  double measure(double seconds) {
-    const double begin = now();
-    restarting = 0;
-    std::uint64_t steps = 0;
-    do {
-      for (int k = 0; k < 50; ++k) {
-        if (sensing) sense();
-        if (driving) step();
-      }
-      steps += 50 * copies;
-    } while (now() - begin < seconds);
-    sink = ranges[0];
-    return (now() - begin - restarting) / static_cast<double>(steps);
-  }
-};
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const double slice = argc > 1 ? std::atof(argv[1]) : 0.3;
-  std::printf("%10s %12s %12s %12s %10s\n", "obstacles", "Msteps/s", "ns/step+ray", "ns/ray", "episodes");
+  const bool json = argc > 1 && std::strcmp(argv[1], "--json") == 0;
   std::vector<int> counts{0, 20, 200, 1000, 10000};
-  if (argc > 2) counts = {std::atoi(argv[2])};
+  if (argc > 1 + json) counts = {std::atoi(argv[1 + json])};
+  std::vector<std::pair<std::string, double>> figures;
+  double allocated = 0;
   for (const int n : counts) {
-    Arena arena(n);
-    Loop loop(arena);
+    bench::Arena arena(n);
+    bench::Loop loop(arena);
     double whole = 1, rays = 1;
     for (int k = 0; k < 5; ++k) {
       loop.sensing = loop.driving = true;
-      whole = std::min(whole, loop.measure(slice));
+      whole = std::min(whole, loop.measure(0.3));
       loop.driving = false;
-      rays = std::min(rays, loop.measure(slice / 4));
+      rays = std::min(rays, loop.measure(0.1));
     }
-    std::printf("%10d %12.2f %12.1f %12.2f %10llu\n", n, 1e-6 / whole, 1e9 * whole, 1e9 * rays / beams,
-                static_cast<unsigned long long>(loop.episodes));
+    figures.emplace_back("arena_steps_per_s_" + std::to_string(n), 1 / whole);
+    figures.emplace_back("arena_ns_per_ray_" + std::to_string(n), 1e9 * rays / bench::beams);
+    allocated = std::max(allocated, allocations_per_step(loop, 2000));
   }
+  figures.emplace_back("allocations_per_step", allocated);
+  bench::print(figures, json);
 }

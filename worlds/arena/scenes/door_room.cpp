@@ -1,6 +1,7 @@
 // Streets between six blocks and a wall with one door before the goals, after the ALV experiments; discs patrol the
 // streets, each along its middle.
 #include <algorithm>
+#include <cmath>
 
 #include "generators.hpp"
 #include "placement.hpp"
@@ -101,6 +102,13 @@ Scene draw(const DoorRoom& p, wend::Random& random) {
   return scene;
 }
 
+// Along x from the door's middle to the middle of the goals.  The last rectangle is the wall to the right of the door.
+double from_door(const Scene& scene, const DoorRoom& p) {
+  double middle = 0;
+  for (const Goal& goal : scene.goals) middle += goal.x / static_cast<double>(scene.goals.size());
+  return std::fabs(scene.polygons.back().points.front().x - p.door / 2 - middle);
+}
+
 }  // namespace
 
 Scene generate(const DoorRoom& p, std::uint64_t key) {
@@ -108,12 +116,14 @@ Scene generate(const DoorRoom& p, std::uint64_t key) {
   for (int attempt = 0; attempt < most_tries; ++attempt) {
     wend::Random random(wend::stream(key, static_cast<std::uint64_t>(attempt)));
     Scene scene = draw(p, random);
+    if (from_door(scene, p) > p.door_offset) continue;
     const bool room = std::all_of(scene.goals.begin(), scene.goals.end(), [&](const Goal& goal) {
       return clearance(scene, {goal.x, goal.y}) > p.body;
     });
     if (room && all_joined(scene, p.body)) return scene;
   }
-  refuse("door", "expected a way through the door, found none in 1000 tries: choose a wider door or a smaller body");
+  refuse("door", "expected a way through the door, found none in 1000 tries: choose a wider door, a smaller body or a larger "
+                 "door_offset");
 }
 
 }  // namespace arena

@@ -66,6 +66,7 @@ struct Rooms {
 struct DoorRoom {
   std::array<double, 2> size{10, 10};              // m
   double door = 1.2;                               // m
+  double door_offset = 1000;                       // m along x, at most, from its middle to the middle of the goals
   std::array<double, 2> passage{1.2, 1.4};         // m
   std::uint32_t goals = 1;                         // one a robot
   std::uint32_t patrols = 0;                       // 0..3

@@ -58,7 +58,8 @@ Generator read_generator(const Params& params) {
   }
   if (kind == "door_room") {
     DoorRoom g;
-    read("size", g.size), read("door", g.door), read("passage", g.passage), read("goals", g.goals);
+    read("size", g.size), read("door", g.door), read("door_offset", g.door_offset);
+    read("passage", g.passage), read("goals", g.goals);
     read("patrols", g.patrols), read("patrol_radius", g.patrol_radius), read("patrol_speed", g.patrol_speed);
     read("body", g.body), read("goal_radius", g.goal_radius);
     return g;

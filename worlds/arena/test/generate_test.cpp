@@ -178,6 +178,22 @@ TEST(Generate, DoorRoomHasItsStreetsItsDoorAndItsPatrols) {
   }
 }
 
+TEST(Generate, DoorRoomKeepsItsDoorBeforeTheGoals) {
+  double farthest = 0;
+  for (const double offset : {1.0, 1000.0}) {
+    DoorRoom p;
+    p.door_offset = offset;
+    for (std::uint64_t i = 0; i < 30; ++i) {
+      const Scene scene = generate(p, key_of(i));
+      const double door = scene.polygons[6].points[1].x + p.door / 2;  // beyond the wall's left part
+      const double apart = std::fabs(door - scene.goals[0].x);
+      EXPECT_LE(apart, offset);
+      farthest = std::max(farthest, apart);
+    }
+  }
+  EXPECT_GT(farthest, 4) << "anywhere by default";
+}
+
 struct Difficulty {
   double density = 0, length = 0, width = 0;  // share of cells; m; m, radius that still passes
 };

@@ -148,6 +148,7 @@ TEST(SceneSource, ReadsEveryParameterOfAGenerator) {
             rooms);
   const DoorRoom room{.size = {12, 11},
                       .door = 1.5,
+                      .door_offset = 2,
                       .passage = {1.3, 1.5},
                       .goals = 2,
                       .patrols = 1,
@@ -158,6 +159,7 @@ TEST(SceneSource, ReadsEveryParameterOfAGenerator) {
   EXPECT_EQ(std::get<DoorRoom>(read({{"kind", "door_room"},
                                      {"size", {12, 11}},
                                      {"door", 1.5},
+                                     {"door_offset", 2},
                                      {"passage", {1.3, 1.5}},
                                      {"goals", 2},
                                      {"patrols", 1},
