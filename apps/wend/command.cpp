@@ -1,9 +1,11 @@
 #include "command.hpp"
 
 #include <core/base/files.hpp>
+#include <core/run/pool.hpp>
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -121,6 +123,25 @@ std::string worker_path() {
   for (const std::string& path : {directory + "/wend-worker", directory + "/../libexec/wend/wend-worker"})
     if (::access(path.c_str(), X_OK) == 0) return path;
   throw core::Error(Exit::data, "expected wend-worker in " + directory + ", found none: is wend installed whole?");
+}
+
+Json ask_worker(core::Request request) {
+  const std::string scratch = std::filesystem::temp_directory_path() / ("wend-ask-" + std::to_string(::getpid()));
+  core::make_directories(scratch);
+  request.scratch = scratch;
+  core::PoolOptions options;
+  options.worker = worker_path();
+  options.logs = scratch;
+  core::Answer answer;
+  {
+    core::Pool pool(options);
+    pool.submit("question", std::move(request));
+    if (const auto completion = pool.next(std::chrono::minutes(2))) answer = completion->answer;
+  }
+  std::error_code ignored;
+  std::filesystem::remove_all(scratch, ignored);
+  if (!answer.ok) throw core::Error(answer.failure.cause == "plugin" ? Exit::data : Exit::plugin, answer.failure.message);
+  return answer.result;
 }
 
 }  // namespace wend::app

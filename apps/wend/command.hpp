@@ -4,6 +4,7 @@
 #include <core/base/error.hpp>
 #include <core/experiment/experiment.hpp>
 #include <core/plugin/catalog.hpp>
+#include <core/run/work.hpp>
 
 #include <boost/program_options.hpp>
 
@@ -23,6 +24,7 @@ int run(const Arguments& arguments);
 int validate(const Arguments& arguments);
 int status(const Arguments& arguments);
 int render(const Arguments& arguments);
+int explain(const Arguments& arguments);
 int plugins(const Arguments& arguments);
 int worlds(const Arguments& arguments);
 int new_plugin(const Arguments& arguments);
@@ -58,5 +60,8 @@ struct Stopped {
 // A folder that belongs to wend: "share/wend/template" beside the program, in the build tree and when installed.
 std::string share_directory(const std::string& name);
 std::string worker_path();
+
+// The result of one request, done in a worker of its own; throws Error with the reason where it failed.
+Json ask_worker(core::Request request);
 
 }  // namespace wend::app

@@ -20,6 +20,7 @@ usage: wend COMMAND [OPTIONS]
   validate EXPERIMENT        check an experiment file and create everything it names, without running it
   status DIR                 what is done, what failed and why
   render DIR                 make the pictures of a run again
+  explain DIR --arm ID       what a policy says of itself: its rules, why it decided so
   plugins list|show          what is installed, what its parameters are
   worlds list|show|import    worlds, their scenes, other people's maps
   new plugin NAME            a plugin of your own, ready to build
@@ -41,6 +42,7 @@ int show_version(const Arguments& arguments) {
 int dispatch(const Arguments& all) {
   static const std::map<std::string, std::function<int(const Arguments&)>> commands = {
       {"run", run},         {"validate", validate}, {"status", status},   {"render", render},
+      {"explain", explain},
       {"plugins", plugins}, {"worlds", worlds},     {"new", new_plugin}, {"version", show_version}};
   if (all.empty() || all.front() == "--help" || all.front() == "-h" || all.front() == "help") {
     std::cout << overview;

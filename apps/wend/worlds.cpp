@@ -3,9 +3,6 @@
 
 #include <core/base/files.hpp>
 #include <core/plugin/schema.hpp>
-#include <core/run/pool.hpp>
-
-#include <unistd.h>
 
 #include <filesystem>
 #include <iostream>
@@ -59,29 +56,11 @@ std::string scene_of(const core::Catalog& catalog, const core::ComponentEntry& e
     std::cerr << diagnostics.text();
     throw Stopped{Exit::configuration};
   }
-  const std::string scratch = std::filesystem::temp_directory_path() / ("wend-scene-" + std::to_string(::getpid()));
-  core::make_directories(scratch);
-  core::PoolOptions options;
-  options.worker = worker_path();
-  options.logs = scratch;
-  core::Answer answer;
-  {
-    core::Pool pool(options);
-    core::Request request;
-    request.kind = core::Request::Kind::scene;
-    request.unit = {{"type", entry.id}, {"params", params}, {"robot", robot}, {"key", seed}, {"variant", variant}};
-    request.plugins = {{entry.id, catalog.file_of(entry.id)}};
-    request.scratch = scratch;
-    pool.submit("scene", std::move(request));
-    while (const auto completion = pool.next(std::chrono::minutes(2))) {
-      answer = completion->answer;
-      break;
-    }
-  }
-  std::error_code ignored;
-  std::filesystem::remove_all(scratch, ignored);
-  if (!answer.ok) throw core::Error(answer.failure.cause == "plugin" ? Exit::data : Exit::plugin, answer.failure.message);
-  return answer.result.at("scene").get<std::string>();
+  core::Request request;
+  request.kind = core::Request::Kind::scene;
+  request.unit = {{"type", entry.id}, {"params", params}, {"robot", robot}, {"key", seed}, {"variant", variant}};
+  request.plugins = {{entry.id, catalog.file_of(entry.id)}};
+  return ask_worker(std::move(request)).at("scene").get<std::string>();
 }
 
 int show(const core::Catalog& catalog, const po::variables_map& values, const std::string& id) {

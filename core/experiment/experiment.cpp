@@ -24,7 +24,7 @@ class Loader {
         catalog_(catalog),
         options_(options),
         diagnostics_(diagnostics),
-        assets_(std::filesystem::path(path).parent_path().string(), options.variables) {
+        assets_(std::filesystem::absolute(path).parent_path().string(), options.variables) {
     experiment_.file = std::move(path);
   }
 

@@ -94,6 +94,9 @@ class TrainingRun : public Rollout::Observer {
       throw UnitFailed("rule", "training worlds: expected the same observation and action columns in all of them, found others in " + stage.world().type());
   }
 
+  // The x of curves against what was spent: a budget in episodes counts what other curves count.
+  std::string counter() const { return training_.budget.unit == "episodes" ? "train_episodes" : training_.budget.unit; }
+
   std::uint64_t spent() const {
     if (training_.budget.unit == "samples") return result_.samples;
     return training_.budget.unit == "steps" ? result_.steps : result_.episodes;
@@ -155,7 +158,7 @@ class TrainingRun : public Rollout::Observer {
     if (!told.names().empty()) {
       const std::vector<double> values = told.read();
       for (std::size_t i = 0; i < values.size(); ++i)
-        book_.add(told.names()[i], training_.budget.unit, std::nullopt, static_cast<double>(spent()), values[i]);
+        book_.add(told.names()[i], counter(), std::nullopt, static_cast<double>(spent()), values[i]);
     }
     return copy.save();
   }

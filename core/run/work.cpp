@@ -1,6 +1,7 @@
 #include <core/base/error.hpp>
 #include <core/base/files.hpp>
 #include <core/run/cell.hpp>
+#include <core/run/explain.hpp>
 #include <core/run/failure.hpp>
 #include <core/run/process_state.hpp>
 #include <core/run/scene.hpp>
@@ -12,7 +13,8 @@ namespace wend::core {
 NLOHMANN_JSON_SERIALIZE_ENUM(Request::Kind, {{Request::Kind::cell, "cell"},
                                              {Request::Kind::training, "training"},
                                              {Request::Kind::check, "check"},
-                                             {Request::Kind::scene, "scene"}})
+                                             {Request::Kind::scene, "scene"},
+                                             {Request::Kind::explain, "explain"}})
 
 void to_json(Json& json, const Request& r) {
   json = {{"kind", r.kind}, {"unit", r.unit}, {"plugins", r.plugins}, {"state", r.state}, {"state_name", r.state_name}, {"scratch", r.scratch}, {"batch", r.batch}};
@@ -71,6 +73,9 @@ Answer perform(const Request& request, Libraries& libraries) {
         break;
       case Request::Kind::scene:
         answer.result = show_scene(request.unit, options);
+        break;
+      case Request::Kind::explain:
+        answer.result = explain(request.unit.get<Question>(), state, request.state_name, options);
         break;
     }
     answer.ok = true;

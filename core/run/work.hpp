@@ -10,7 +10,7 @@
 namespace wend::core {
 
 struct Request {
-  enum class Kind { cell, training, check, scene };
+  enum class Kind { cell, training, check, scene, explain };
   Kind kind = Kind::cell;
   Json unit;                                   // a Cell, or a Training
   std::map<std::string, std::string> plugins;  // component id -> file
@@ -23,7 +23,7 @@ void from_json(const Json&, Request&);
 
 struct Answer {
   bool ok = false;
-  Json result = Json::object();  // a CellResult, a TrainingResult, {"scene": text, "trace": file}
+  Json result = Json::object();  // a CellResult, a TrainingResult, {"scene": text}, what explain() says
   Failure failure;
   std::vector<std::string> warnings;
 };
