@@ -53,6 +53,16 @@ void check(const DoorRoom& p) {
     refuse("patrol_radius", "expected patrols that fit into the streets, found wider ones");
 }
 
+// The middle of that street between the blocks of a row, or beside them, which is nearest to `x`.
+double gap_near(const Row& row, double x, double width) {
+  double nearest = row.at[0] / 2;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double gap = (row.at[i] + row.width[i] + (i < 2 ? row.at[i + 1] : width)) / 2;
+    if (std::fabs(gap - x) < std::fabs(nearest - x)) nearest = gap;
+  }
+  return nearest;
+}
+
 // To and fro along the middle of a street.
 Mover patrol(const DoorRoom& p, wend::Random& random, Point from, Point to) {
   Mover mover;
@@ -96,6 +106,14 @@ Scene draw(const DoorRoom& p, wend::Random& random) {
   const double end = p.passage[0] / 2, before_wall = s.wall - s.top / 2, between = s.bottom + s.block + s.middle / 2;
   const std::size_t street = static_cast<std::size_t>(random.below(2));
   const double upright = (low.at[street] + low.width[street] + low.at[street + 1]) / 2;
+  if (p.patrol_beat > 0) {
+    const double about = door + p.door / 2, low_gap = gap_near(low, about, width), high_gap = gap_near(high, about, width);
+    const double left = std::max(end, about - p.patrol_beat / 2), right = std::min(width - end, about + p.patrol_beat / 2);
+    if (p.patrols > 0) scene.movers.push_back(patrol(p, random, {left, before_wall}, {right, before_wall}));
+    if (p.patrols > 1) scene.movers.push_back(patrol(p, random, {high_gap, between}, {high_gap, before_wall}));
+    if (p.patrols > 2) scene.movers.push_back(patrol(p, random, {low_gap, s.bottom / 2}, {low_gap, between}));
+    return scene;
+  }
   if (p.patrols > 0) scene.movers.push_back(patrol(p, random, {end, between}, {width - end, between}));
   if (p.patrols > 1) scene.movers.push_back(patrol(p, random, {end, before_wall}, {width - end, before_wall}));
   if (p.patrols > 2) scene.movers.push_back(patrol(p, random, {upright, s.bottom / 2}, {upright, s.bottom + s.block}));

@@ -71,6 +71,7 @@ struct DoorRoom {
   std::uint32_t goals = 1;                         // one a robot
   std::uint32_t patrols = 0;                       // 0..3
   double patrol_radius = 0.15;                     // m
+  double patrol_beat = 0;                          // m before the door: patrols keep the ways to it; 0: streets
   std::array<double, 2> patrol_speed{0.04, 0.05};  // m/s
   double body = 0.15;                              // m
   double goal_radius = 0.3;                        // m

@@ -178,6 +178,26 @@ TEST(Generate, DoorRoomHasItsStreetsItsDoorAndItsPatrols) {
   }
 }
 
+TEST(Generate, DoorRoomMayHaveItsPatrolsOnTheWaysToTheDoor) {
+  DoorRoom p;
+  p.patrols = 3, p.patrol_beat = 3;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Scene scene = generate(p, key_of(i));
+    ASSERT_EQ(scene.movers.size(), 3u);
+    const double door = scene.polygons[6].points[1].x + p.door / 2;
+    const auto& before = scene.movers[0].waypoints;
+    EXPECT_LE(before[1].x - before[0].x, 3 + 1e-9);
+    EXPECT_LE(before[0].x, door);
+    EXPECT_GE(before[1].x, door);
+    for (const Mover& mover : scene.movers) {
+      const Point &a = mover.waypoints[0], &b = mover.waypoints[1];
+      for (int k = 0; k <= 20; ++k)
+        EXPECT_GT(clearance(scene, {a.x + (b.x - a.x) * k / 20, a.y + (b.y - a.y) * k / 20}), 0.5);
+    }
+    EXPECT_EQ(scene.movers[1].waypoints[0].x, scene.movers[1].waypoints[1].x) << "up and down";
+  }
+}
+
 TEST(Generate, DoorRoomKeepsItsDoorBeforeTheGoals) {
   double farthest = 0;
   for (const double offset : {1.0, 1000.0}) {

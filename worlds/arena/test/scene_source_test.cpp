@@ -153,6 +153,7 @@ TEST(SceneSource, ReadsEveryParameterOfAGenerator) {
                       .goals = 2,
                       .patrols = 1,
                       .patrol_radius = 0.1,
+                      .patrol_beat = 4,
                       .patrol_speed = {0.02, 0.03},
                       .body = 0.12,
                       .goal_radius = 0.4};
@@ -164,6 +165,7 @@ TEST(SceneSource, ReadsEveryParameterOfAGenerator) {
                                      {"goals", 2},
                                      {"patrols", 1},
                                      {"patrol_radius", 0.1},
+                                     {"patrol_beat", 4},
                                      {"patrol_speed", {0.02, 0.03}},
                                      {"body", 0.12},
                                      {"goal_radius", 0.4}})),
