@@ -1,7 +1,7 @@
 // Observation columns as a string of bits, the message that conditions are matched against.
 //
 //   thermometer   one bit a threshold, ascending: 1 where the value is below it; 00, 01, 11 for far, near, very near
-//   sectors       an angle as the Gray code of its sector, so that neighbours differ in one bit; sector 0 is centred on 0
+//   sectors       an angle as the Gray code of its sector: neighbours differ in one bit; sector 0 is centred on 0
 //   binary        a discrete column as its number, lowest bit first
 #pragma once
 #include <cstdint>

@@ -158,14 +158,13 @@ void PaperOperators::update(Population& population, const Experience& experience
     population.prediction[rule] += beta * step;
     population.set_size[rule] += beta * (static_cast<double>(acted.size()) - population.set_size[rule]);
     accurate += accuracy(population.error[rule], parameters_) * population.numerosity(rule);
-    population.marks[rule] = static_cast<std::uint8_t>(harmless ? population.marks[rule] & ~kUnsafe
-                                                                : population.marks[rule] | kUnsafe);
+    const int others = population.marks[rule] & ~kUnsafe;
+    population.marks[rule] = static_cast<std::uint8_t>(harmless ? others : others | kUnsafe);
   }
   for (const std::uint32_t rule : acted) {
     const double own = accuracy(population.error[rule], parameters_) * population.numerosity(rule);
-    population.fitness[rule] = options_.strength
-                                   ? population.prediction[rule]
-                                   : population.fitness[rule] + parameters_.beta * (own / accurate - population.fitness[rule]);
+    double& fitness = population.fitness[rule];
+    fitness = options_.strength ? population.prediction[rule] : fitness + parameters_.beta * (own / accurate - fitness);
   }
 }
 
@@ -179,7 +178,7 @@ void PaperOperators::discover(Population& population, const Experience& experien
   merge(population, options_);
 }
 
-// Offspring of a rule that was punished: the present string, another action, which is expected to bring what [M] says of
+// Offspring of a rule that was punished: the present string and another action, expected to bring what [M] says of
 // it.  A rule that is too general may also be split: the string with its own action, and what it brought.
 void PaperOperators::breed_punished(Population& population, const Experience& experience, RuleSet& acted,
                                     wend::Random& random) {

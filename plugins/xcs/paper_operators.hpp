@@ -30,9 +30,9 @@ struct PaperOptions {
   double merge_tolerance = 0;   // largest |P1 - P2|
   double merge_experience = 0;  // least experience of both
   double initial_rules = 0;     // random rules that a new rule base starts with
-  double specialise = 0;        // probability that a punished rule with '#' is also split: an offspring keeps its action
+  double specialise = 0;        // probability that a punished rule with '#' also gets an offspring of its own action
   double beta_least = 0;        // the learning rate falls with experience down to this; at least `beta`: it is constant
-  double inherited = 0;         // experience that a covering rule takes over with what the nearest rules predict; 0: neither
+  double inherited = 0;         // experience of a covering rule, with what the nearest rules predict; 0: neither
   double seeded_beta = 0;       // learning rate of a seeded rule until it has `seeded_experience`; 0: as any other
   double seeded_experience = 0;
 };

@@ -49,6 +49,8 @@ void check(const DoorRoom& p) {
   if (4 * p.passage[1] > 0.85 * p.size[0] || 3 * p.passage[1] > 0.55 * p.size[1] || p.door > 0.8 * p.size[0])
     refuse("size",
            "expected room for blocks between the streets, found none: choose a larger size or narrower streets");
+  if (p.goal_spread > 0 && p.goal_spread < p.goals * (4 * p.body + 2 * p.goal_radius))
+    refuse("goal_spread", "expected room for a robot on each goal, found less: choose a larger one, or 0 for the whole width");
   if (2 * p.patrol_radius >= p.passage[0])
     refuse("patrol_radius", "expected patrols that fit into the streets, found wider ones");
 }
@@ -95,9 +97,11 @@ Scene draw(const DoorRoom& p, wend::Random& random) {
   scene.polygons.push_back(rectangle(door + p.door, s.wall, width - door - p.door, thickness));
 
   const double ground = s.wall + thickness, room = std::min(2 * p.body, (height - ground) / 3);
+  const double spread = p.goal_spread > 0 ? std::min(p.goal_spread, width) : width;
+  const double first = std::clamp(door + (p.door - spread) / 2, 0.0, width - spread);
   for (std::uint32_t i = 0; i < p.goals; ++i) {  // each in its own part of the room behind the door
-    const double part = width / p.goals;
-    scene.goals.push_back({random.uniform(i * part + room, (i + 1) * part - room),
+    const double part = spread / p.goals;
+    scene.goals.push_back({random.uniform(first + i * part + room, first + (i + 1) * part - room),
                            random.uniform((ground + height) / 2, height - room),
                            p.goal_radius,
                            {},

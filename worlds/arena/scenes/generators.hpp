@@ -69,6 +69,7 @@ struct DoorRoom {
   double door_offset = 1000;                       // m along x, at most, from its middle to the middle of the goals
   std::array<double, 2> passage{1.2, 1.4};         // m
   std::uint32_t goals = 1;                         // one a robot
+  double goal_spread = 0;                          // m along x, about the door, that they share; 0: the whole width
   std::uint32_t patrols = 0;                       // 0..3
   double patrol_radius = 0.15;                     // m
   double patrol_beat = 0;                          // m before the door: patrols keep the ways to it; 0: streets

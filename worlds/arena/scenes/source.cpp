@@ -61,7 +61,8 @@ Generator read_generator(const Params& params) {
     read("size", g.size), read("door", g.door), read("door_offset", g.door_offset);
     read("passage", g.passage), read("goals", g.goals);
     read("patrols", g.patrols), read("patrol_radius", g.patrol_radius), read("patrol_speed", g.patrol_speed);
-    read("patrol_beat", g.patrol_beat), read("body", g.body), read("goal_radius", g.goal_radius);
+    read("patrol_beat", g.patrol_beat), read("goal_spread", g.goal_spread);
+    read("body", g.body), read("goal_radius", g.goal_radius);
     return g;
   }
   if (kind == "cellular") {

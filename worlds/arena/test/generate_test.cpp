@@ -1,4 +1,5 @@
 // Generated scenes: the same from the same key, within their gaps, and with a way for the body.
+#include <algorithm>
 #include <cmath>
 #include <wend/math.hpp>
 
@@ -176,6 +177,24 @@ TEST(Generate, DoorRoomHasItsStreetsItsDoorAndItsPatrols) {
     EXPECT_GE(optimal_length(scene, {0.6, 0.6}, behind, {0.05, 0.5, 0}), 0);
     EXPECT_EQ(optimal_length(scene, {0.6, 0.6}, behind, {0.05, 0.62, 0}), -1);  // the door is 1.2 m wide
   }
+}
+
+TEST(Generate, DoorRoomMayHaveItsGoalsAboutTheDoor) {
+  DoorRoom p;
+  p.goals = 3, p.goal_spread = 5;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const Scene scene = generate(p, key_of(i));
+    ASSERT_EQ(scene.goals.size(), 3u);
+    const double door = scene.polygons[6].points[1].x + p.door / 2, first = std::clamp(door - 2.5, 0.0, 5.0);
+    for (std::size_t g = 0; g < 3; ++g) {
+      EXPECT_GT(scene.goals[g].x, first + 5.0 / 3 * static_cast<double>(g));
+      EXPECT_LT(scene.goals[g].x, first + 5.0 / 3 * static_cast<double>(g + 1));
+    }
+  }
+  p.goal_spread = 3;
+  EXPECT_EQ(error_of([&] { generate(p, 1); }),
+            "generate/goal_spread: expected room for a robot on each goal, found less: choose a larger one, or 0 for the "
+            "whole width");
 }
 
 TEST(Generate, DoorRoomMayHaveItsPatrolsOnTheWaysToTheDoor) {
