@@ -106,6 +106,7 @@ std::size_t Plan::add_training(const Json& point, const Resolved& experiment, co
   common.budget = train.budget;
   common.greedy_every = train.greedy_every;
   common.snapshots = train.at;
+  common.until = train.until;
   common.keep = train.keep;
   common.initial_state = train.state;
   common.traced_episodes = experiment.traced_training;

@@ -23,6 +23,7 @@ struct TrainSpec {
   std::vector<std::uint64_t> at;  // ascending
   std::optional<std::uint32_t> snapshot_episodes;
   std::vector<WorldDraw> selection;  // empty: where it is trained
+  std::string until;  // name of a value of the learner's, or empty
   std::string keep = "last";
   std::string state;      // SHA-256 of a state file, or empty
   std::string state_arm;  // id of the arm whose training it starts from, or empty

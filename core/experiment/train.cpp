@@ -22,6 +22,7 @@ class TrainReader {
     read_budget();
     train_.worlds = draws(file_, "worlds", pointer_ + "/worlds");
     train_.greedy_every = static_cast<std::uint32_t>(count_in(file_, "greedy_every").value_or(0));
+    train_.until = text_in(file_, "until");
     if (text_in(file_, "keep") == "best") train_.keep = "best";
     if (const Json* evaluate = member(file_, "evaluate")) read_evaluate(*evaluate);
     if (train_.budget.amount == 0) {
@@ -125,6 +126,7 @@ class TrainReader {
     for (const char* key : {"worlds", "evaluate"})
       if (member(file_, key)) no_effect(key);
     if (train_.greedy_every > 0) no_effect("greedy_every");
+    if (!train_.until.empty()) no_effect("until");
     if (train_.keep == "best") no_effect("keep");
     const auto has_state = [](const ComponentEntry& entry) {
       return entry.answers(WEND_STATE) || entry.answers(WEND_LEARNER);
@@ -188,8 +190,31 @@ const ArmSpec* arm_of(const Resolved& experiment, const std::string& id) {
   return nullptr;
 }
 
-// What is wrong with starting `arm` from the training of `source`, and what to do; nothing: it can be done.
-std::optional<std::pair<std::string, std::string>> defect(const Resolved& experiment, const ArmSpec& arm, const ArmSpec& source) {
+using Defect = std::optional<std::pair<std::string, std::string>>;  // what is wrong, and what to do
+
+// What is wrong with testing `arm` where it is tested if it starts, perhaps by way of others, from the training of `source`.
+Defect defect_in_worlds(const Resolved& experiment, const ArmSpec& arm, const ArmSpec& source) {
+  const TrainSpec& train = *source.train;
+  const std::string which = "arm " + quote(arm.id) + " starts from arm " + quote(source.id);
+  const auto has = [](const std::vector<std::size_t>& worlds, std::size_t world) {
+    return std::find(worlds.begin(), worlds.end(), world) != worlds.end();
+  };
+  for (const std::size_t world : arm.worlds)
+    if (train.worlds.empty() && !has(source.worlds, world))
+      return std::pair(which + ", which is not trained for world " + quote(experiment.worlds[world].id),
+                       "add \"worlds\" to the \"train\" of arm " + quote(source.id) + ", or to arm " + quote(arm.id));
+  if (train.keep != "best") return std::nullopt;
+  for (const WorldDraw& draw : train.selection.empty() ? train.worlds : train.selection) {
+    if (draw.train || !has(arm.worlds, draw.world)) continue;
+    const std::string& id = experiment.worlds[draw.world].id;
+    return std::pair(which + ", whose best snapshot is chosen in world " + quote(id) + ", which is tested",
+                     "name " + quote(id + ":train") + " or another world in \"evaluate\": {\"worlds\": [...]} of arm " + quote(source.id));
+  }
+  return std::nullopt;
+}
+
+// What is wrong with starting `arm` from the training of `source`.
+Defect defect(const Resolved& experiment, const ArmSpec& arm, const ArmSpec& source) {
   const std::string which = "arm " + quote(arm.id) + " starts from arm " + quote(source.id);
   if (!source.train || source.train->budget.amount == 0)
     return std::pair(which + ", which is not trained", std::string("name an arm whose \"train\" has a budget"));
@@ -200,11 +225,8 @@ std::optional<std::pair<std::string, std::string>> defect(const Resolved& experi
   if (types_of(arm.policy) != types_of(source.policy))
     return std::pair(which + ", but its policy is " + types_of(arm.policy) + " and that one's is " + types_of(source.policy),
                      std::string("use the same types in the same slots"));
-  if (!source.train->worlds.empty()) return std::nullopt;
-  for (const std::size_t world : arm.worlds)
-    if (std::find(source.worlds.begin(), source.worlds.end(), world) == source.worlds.end())
-      return std::pair(which + ", which is not trained for world " + quote(experiment.worlds[world].id),
-                       "add \"worlds\" to the \"train\" of arm " + quote(source.id) + ", or to arm " + quote(arm.id));
+  for (const ArmSpec* at = &source; at && at->train; at = arm_of(experiment, at->train->state_arm))
+    if (const auto found = defect_in_worlds(experiment, arm, *at)) return found;
   return std::nullopt;
 }
 

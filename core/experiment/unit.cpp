@@ -72,6 +72,7 @@ void rest_of(Archive& archive, T& unit) {
   archive("budget", unit.budget);
   archive("greedy_every", unit.greedy_every);
   archive("snapshots", unit.snapshots);
+  archive("until", unit.until);
   archive("keep", unit.keep);
   archive("selection_episodes", unit.selection_episodes);
   archive("selection_streams", unit.selection_streams);

@@ -71,6 +71,7 @@ struct Training {
   Budget budget;
   std::uint32_t greedy_every = 0;        // after every n-th episode one is WEND_TRAIN_GREEDY and not counted; 0: none
   std::vector<std::uint64_t> snapshots;  // counts of the budget's unit at which the state is kept, ascending
+  std::string until;                     // name of the update telemetry that ends it at 1; empty: the budget alone does
   std::string keep = "last";             // or "best": the snapshot that does best in `selection`
   std::uint32_t selection_episodes = 0;  // of each selection world, for keep == "best"
   std::vector<WorldSpec> selection_worlds;

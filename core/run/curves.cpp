@@ -1,7 +1,9 @@
+#include <core/base/sha256.hpp>
 #include <core/run/curves.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace wend::core {
 
@@ -39,23 +41,26 @@ std::vector<Curve> CurveBook::take() {
 void SeriesBook::add(const std::string& metric, const std::string& x_name, double x, double y) {
   if (!std::isfinite(x) || !std::isfinite(y)) return;
   Series& series = all_[{metric, x_name}];
-  const bool anew = series.runs.empty() || series.runs.back().empty() || x <= series.runs.back().back().first;
-  if (anew) {
-    series.full = series.runs.size() == most_runs;
-    if (!series.full) series.runs.emplace_back();
-  }
-  if (!series.full && series.runs.back().size() < most_points) series.runs.back().emplace_back(x, y);
+  if (!series.present.empty() && x <= series.present.back().first) series.close();
+  if (series.present.size() < most_points) series.present.emplace_back(x, y);
 }
 
-SeriesBook::Points SeriesBook::mean(const std::vector<Points>& runs) {
+void SeriesBook::Series::close() {
+  const std::string bytes(reinterpret_cast<const char*>(present.data()), present.size() * sizeof(present[0]));
+  runs.emplace(sha256(bytes), std::move(present));
+  if (runs.size() > most_runs) runs.erase(std::prev(runs.end()));
+  present.clear();
+}
+
+SeriesBook::Points SeriesBook::mean(const Runs& runs) {
   std::vector<double> xs;
-  for (const Points& run : runs)
+  for (const auto& [hash, run] : runs)
     for (const auto& point : run) xs.push_back(point.first);
   std::sort(xs.begin(), xs.end());
   xs.erase(std::unique(xs.begin(), xs.end()), xs.end());
   std::vector<double> sums(xs.size(), 0.0);
   std::vector<std::size_t> counts(xs.size(), 0);
-  for (const Points& run : runs) {
+  for (const auto& [hash, run] : runs) {
     std::size_t next = 0;
     for (std::size_t i = 0; i < xs.size(); ++i) {
       while (next < run.size() && run[next].first <= xs[i]) ++next;
@@ -71,7 +76,10 @@ SeriesBook::Points SeriesBook::mean(const std::vector<Points>& runs) {
 
 std::vector<Curve> SeriesBook::take() {
   std::vector<Curve> curves;
-  for (const auto& [key, series] : all_) curves.push_back({key.first, key.second, std::nullopt, mean(series.runs)});
+  for (auto& [key, series] : all_) {
+    series.close();
+    curves.push_back({key.first, key.second, std::nullopt, mean(series.runs)});
+  }
   all_.clear();
   return curves;
 }

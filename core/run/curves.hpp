@@ -30,7 +30,8 @@ class CurveBook {
 };
 
 // Curves of which every one starts anew with each use, such as best fitness against generation in every planning: the
-// mean over all uses, in which one that ended early keeps its last value.
+// mean over all uses, in which one that ended early keeps its last value.  The order of the uses, which differs with the
+// number of episodes side by side, is of no consequence.
 class SeriesBook {
  public:
   void add(const std::string& metric, const std::string& x_name, double x, double y);
@@ -39,11 +40,13 @@ class SeriesBook {
  private:
   static constexpr std::size_t most_runs = 100, most_points = 2000;  // of which more are left out
   using Points = std::vector<std::pair<double, double>>;
+  using Runs = std::multiset<std::pair<std::string, Points>>;  // by hash: of too many, those with the least ones stay
   struct Series {
-    std::vector<Points> runs;
-    bool full = false;  // the present run is one too many
+    Runs runs;
+    Points present;  // the run that goes on
+    void close();
   };
-  static Points mean(const std::vector<Points>& runs);
+  static Points mean(const Runs& runs);
   std::map<std::pair<std::string, std::string>, Series> all_;
 };
 

@@ -33,16 +33,18 @@ class TrainingRun : public Rollout::Observer {
       tracers_.push_back(std::make_unique<Tracer>(*stage, *driver_, training.traced_episodes, about(training, tracers_.size())));
     }
     updates_ = std::make_unique<Telemetry>(WEND_PER_UPDATE, nullptr, driver_.get());
+    until_ = until();
   }
 
   TrainingResult run() {
     const double before = thread_seconds();
     while (pending_ < training_.snapshots.size() && training_.snapshots[pending_] == 0) snapshot(training_.snapshots[pending_++]);
-    while (spent() < training_.budget.amount) {
+    while (goes_on()) {
       episode(WEND_TRAIN_EXPLORE);
       const std::uint32_t every = training_.greedy_every;
-      if (every && result_.episodes % every == 0 && spent() < training_.budget.amount) episode(WEND_TRAIN_GREEDY);
+      if (every && result_.episodes % every == 0 && goes_on()) episode(WEND_TRAIN_GREEDY);
     }
+    while (pending_ < training_.snapshots.size()) snapshot(training_.snapshots[pending_++]);  // that it ended before
     result_.final_state = file_name("final");
     write_file(options_.scratch + "/" + result_.final_state, final_state());
     result_.train_s = thread_seconds() - before;
@@ -105,10 +107,12 @@ class TrainingRun : public Rollout::Observer {
   // A greedy episode shows what was learned so far; it is not one of the budget.
   void episode(std::uint32_t mode) {
     const std::uint64_t index = driven_++;
+    // Each kind visits all worlds and variants in turn, whatever the other one does between.
+    const std::uint64_t turn = mode == WEND_TRAIN_GREEDY ? greedy_++ : result_.episodes;
     mode_ = mode;
-    world_ = index % training_.worlds.size();
+    world_ = turn % training_.worlds.size();
     const WorldSpec& world = training_.worlds[world_];
-    const auto variant = static_cast<std::uint32_t>(index / training_.worlds.size() % world.variants);
+    const auto variant = static_cast<std::uint32_t>(turn / training_.worlds.size() % world.variants);
     Rollout& rollout = *rollouts_[world_];
     rollout.start({0}, {episode_of(training_.streams[world_], world, variant, index, mode)});
     const std::uint64_t before = result_.samples;
@@ -141,8 +145,25 @@ class TrainingRun : public Rollout::Observer {
   void report_updates() {
     if (updates_->names().empty()) return;
     const std::vector<double> values = updates_->read();
-    for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i) {
       book_.add(updates_->names()[i], "train_episodes", std::nullopt, static_cast<double>(result_.episodes), values[i]);
+      if (i == until_ && values[i] >= 1) reached_ = true;
+    }
+  }
+
+  bool goes_on() const { return !reached_ && spent() < training_.budget.amount; }
+
+  // The place of the value that ends the training, told by the policy or by what stands in its slots ("avoid.learned").
+  std::size_t until() const {
+    if (training_.until.empty()) return none;
+    const auto& names = updates_->names();
+    std::string known;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == training_.until || names[i].ends_with("." + training_.until)) return i;
+      known += (i ? ", " : "") + names[i];
+    }
+    throw UnitFailed("training", "until: expected the name of a value that the policy tells after an episode, found \"" + training_.until +
+                                     "\"; it tells " + (known.empty() ? "none" : known));
   }
 
   void take_due_snapshots() {
@@ -207,9 +228,11 @@ class TrainingRun : public Rollout::Observer {
   Selection kept_;
   TrainingResult result_;
   Chain chain_;
-  std::size_t pending_ = 0, world_ = 0;
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::size_t pending_ = 0, world_ = 0, until_ = none;
+  bool reached_ = false;  // what `until` waits for
   std::uint32_t mode_ = WEND_TRAIN_EXPLORE;  // of the episode that runs
-  std::uint64_t driven_ = 0, fruitless_ = 0;  // episodes: all of them; the last ones that brought no sample
+  std::uint64_t driven_ = 0, greedy_ = 0, fruitless_ = 0;  // episodes: all; of them greedy; the last ones without a sample
 };
 
 }  // namespace

