@@ -133,6 +133,7 @@ Json ask_worker(core::Request request) {
   options.worker = worker_path();
   options.logs = scratch;
   core::Answer answer;
+  answer.failure = {"timeout", "a worker was asked and gave no answer within 2 minutes"};
   {
     core::Pool pool(options);
     pool.submit("question", std::move(request));
@@ -140,7 +141,8 @@ Json ask_worker(core::Request request) {
   }
   std::error_code ignored;
   std::filesystem::remove_all(scratch, ignored);
-  if (!answer.ok) throw core::Error(answer.failure.cause == "plugin" ? Exit::data : Exit::plugin, answer.failure.message);
+  const std::string& cause = answer.failure.cause;
+  if (!answer.ok) throw core::Error(cause == "plugin" || cause == "state" ? Exit::data : Exit::plugin, answer.failure.message);
   return answer.result;
 }
 

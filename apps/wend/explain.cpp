@@ -8,18 +8,32 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 
 namespace wend::app {
 namespace {
 
-constexpr const char* usage = "explain DIR --arm ID [--world ID] [--seed K] [--episode E] [--decisions N]";
+constexpr const char* usage = "explain DIR --arm ID [--world ID] [--seed K] [--episode E] [--decisions N] [--robot R]";
 
-// The arm's cell of its final state, in the world and with the seed that were asked for.
-core::Cell chosen(const core::Experiment& experiment, const po::variables_map& values) {
+// Which seed was asked for; else the first with which the arm was trained, as a run of some seeds only has others than 0.
+std::uint64_t seed_of(const core::Experiment& experiment, const po::variables_map& values, const std::string& directory) {
+  if (values.count("seed")) return values["seed"].as<std::uint64_t>();
+  const std::string arm = values["arm"].as<std::string>();
+  std::optional<std::map<std::string, core::DoneUnit>> done;
+  for (const core::Cell& cell : experiment.cells()) {
+    if (cell.driver.arm != arm) continue;
+    if (cell.training.empty()) return cell.stream.seed;
+    if (!done) done = core::Store(directory, true).done(core::UnitKind::training);
+    if (done->count(cell.training)) return cell.stream.seed;
+  }
+  return 0;
+}
+
+// The arm's cell of its final state, in the world that was asked for.
+core::Cell chosen(const core::Experiment& experiment, const po::variables_map& values, std::uint64_t seed) {
   const std::string arm = values["arm"].as<std::string>();
   const std::string world = values.count("world") ? values["world"].as<std::string>() : "";
-  const auto seed = values["seed"].as<std::uint64_t>();
   std::optional<core::Cell> found;
   for (const core::Cell& cell : experiment.cells()) {
     if (cell.driver.arm != arm || cell.stream.seed != seed || (!world.empty() && cell.world.id != world)) continue;
@@ -42,10 +56,10 @@ std::string state_of(const core::Experiment& experiment, const core::Cell& cell,
   if (cell.training.empty()) return "";
   const core::Store store(directory, true);
   const auto training = store.training(cell.training);
-  if (!training) throw core::Error(Exit::data, directory + " has no finished training of arm \"" + cell.driver.arm + "\" with seed " + std::to_string(cell.stream.seed) + "; run it first");
-  const std::string file = cell.at ? training->snapshots.at(cell.at->amount) : training->final_state;
-  const std::string path = directory + "/states/" + file;
-  if (!std::filesystem::exists(path)) throw core::Error(Exit::data, "expected the state file " + path + ", found none: run the experiment again in another directory");
+  if (!training) throw core::Error(Exit::data, directory + " has no finished training for arm \"" + cell.driver.arm + "\" with seed " + std::to_string(cell.stream.seed) + "; run it first");
+  const auto snapshot = cell.at ? training->snapshots.find(cell.at->amount) : training->snapshots.end();
+  const std::string path = directory + "/states/" + (snapshot == training->snapshots.end() ? training->final_state : snapshot->second);
+  if (!std::filesystem::is_regular_file(path)) throw core::Error(Exit::data, "expected the state file " + path + ", found none: run the experiment again in another directory");
   return path;
 }
 
@@ -54,7 +68,7 @@ std::string state_of(const core::Experiment& experiment, const core::Cell& cell,
 int explain(const Arguments& arguments) {
   po::options_description options("options");
   options.add_options()("arm", po::value<std::string>()->value_name("ID"), "whose policy")("world", po::value<std::string>()->value_name("ID"), "where; the first that it is tested in without it")(
-      "seed", po::value<std::uint64_t>()->default_value(0)->value_name("K"), "which of the experiment's seeds")(
+      "seed", po::value<std::uint64_t>()->value_name("K"), "which of the experiment's seeds; the first that was trained without it")(
       "episode", po::value<std::uint64_t>()->default_value(0)->value_name("E"), "which test episode is driven")(
       "decisions", po::value<std::uint64_t>()->default_value(0)->value_name("N"), "how many decisions of it before the policy is asked")(
       "robot", po::value<std::uint32_t>()->default_value(0)->value_name("R"), "of several robots, which one");
@@ -65,7 +79,7 @@ int explain(const Arguments& arguments) {
   const std::string directory = values["directory"].as<std::vector<std::string>>().front();
   const core::Catalog catalog = catalog_of(values);
   const core::Experiment experiment = load(directory + "/experiment.resolved.json", catalog, values);
-  core::Question question{chosen(experiment, values), values["episode"].as<std::uint64_t>(), values["decisions"].as<std::uint64_t>(), values["robot"].as<std::uint32_t>()};
+  core::Question question{chosen(experiment, values, seed_of(experiment, values, directory)), values["episode"].as<std::uint64_t>(), values["decisions"].as<std::uint64_t>(), values["robot"].as<std::uint32_t>()};
   if (question.robot >= question.cell.world.robots)
     throw Usage("--robot: expected less than the world's " + std::to_string(question.cell.world.robots) + ", found " + std::to_string(question.robot));
   core::Request request;

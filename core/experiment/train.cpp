@@ -192,7 +192,7 @@ const ArmSpec* arm_of(const Resolved& experiment, const std::string& id) {
 
 using Defect = std::optional<std::pair<std::string, std::string>>;  // what is wrong, and what to do
 
-// What is wrong with testing `arm` where it is tested if it starts, perhaps by way of others, from the training of `source`.
+// What is wrong with the worlds in which `arm` is tested if it starts, perhaps by way of others, from what `source` learns.
 Defect defect_in_worlds(const Resolved& experiment, const ArmSpec& arm, const ArmSpec& source) {
   const TrainSpec& train = *source.train;
   const std::string which = "arm " + quote(arm.id) + " starts from arm " + quote(source.id);
@@ -208,7 +208,8 @@ Defect defect_in_worlds(const Resolved& experiment, const ArmSpec& arm, const Ar
     if (draw.train || !has(arm.worlds, draw.world)) continue;
     const std::string& id = experiment.worlds[draw.world].id;
     return std::pair(which + ", whose best snapshot is chosen in world " + quote(id) + ", which is tested",
-                     "name " + quote(id + ":train") + " or another world in \"evaluate\": {\"worlds\": [...]} of arm " + quote(source.id));
+                     "name " + quote(id + ":train") + " or another world in \"evaluate\": {\"worlds\": [...]} of arm " +
+                         quote(source.id));
   }
   return std::nullopt;
 }

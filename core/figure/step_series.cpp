@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <core/figure/step_series.hpp>
 
 namespace wend::core {
@@ -31,6 +32,8 @@ std::vector<CurvePoint> step_series(const std::vector<const Trace*>& episodes, c
     }
     if (!trace->time.empty()) began += trace->time.back();
   }
+  const bool any = std::any_of(points.begin(), points.end(), [](const CurvePoint& p) { return std::isfinite(p.mean); });
+  if (!any) points.clear();  // a value that never applied
   return points;
 }
 

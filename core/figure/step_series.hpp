@@ -8,7 +8,7 @@
 namespace wend::core {
 
 // Of robot 0: "reward", or the telemetry of that name, also of one that a component in a slot told ("avoid.J" for
-// "J").  Several episodes follow each other with a gap between them.  Empty where there is no such value.
+// "J").  Several episodes follow each other with a gap between them.  Empty where there is no such finite value.
 std::vector<CurvePoint> step_series(const std::vector<const Trace*>& episodes, const std::string& name);
 
 }  // namespace wend::core

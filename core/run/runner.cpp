@@ -274,13 +274,18 @@ class Run {
   }
 
   void training_failed(const Training& training, const Failure& failure) {
+    training_failed(training, failure, failure.cause + ": " + failure.message);
+  }
+
+  // `why` the first one failed, of all that start from each other.
+  void training_failed(const Training& training, const Failure& failure, const std::string& why) {
     store_->record_failure(UnitKind::training, training.id, training, failure);
     tell({"training", describe(training), failure});
     if (const auto at = followers_.find(training.id); at != followers_.end()) {
       const std::vector<std::size_t> lost_ones = std::move(at->second);
       followers_.erase(at);
       for (const std::size_t i : lost_ones)
-        training_failed(trainings_[i], {"training", "the training it starts from failed: " + failure.cause + ": " + failure.message});
+        training_failed(trainings_[i], {"training", "the training it starts from failed: " + why}, why);
     }
     const auto waiting = waiting_.find(training.id);
     if (waiting == waiting_.end()) return;

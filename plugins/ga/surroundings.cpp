@@ -9,6 +9,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double most_points = 1e6;
+constexpr double most_lines = 3e5;  // along the longer side, however thin the area is
 
 void include(Area& area, double x, double y) noexcept {
   area = {std::min(area.x0, x), std::min(area.y0, y), std::max(area.x1, x), std::max(area.y1, y)};
@@ -58,7 +59,8 @@ ClearanceGrid Surroundings::of(std::uint32_t row, std::uint64_t scene, std::uint
   world_.bodies(team, bodies, goals);
 
   const Area area = this->area(row);
-  const double coarsest = std::sqrt((area.x1 - area.x0) * (area.y1 - area.y0) / most_points);
+  const double width = area.x1 - area.x0, height = area.y1 - area.y0;
+  const double coarsest = std::max(std::sqrt(width * height / most_points), std::max(width, height) / most_lines);
   const double wanted = cell_ > 0 ? cell_ : bodies[row - first].radius / 3;
   ClearanceGrid grid = still(row, scene, variant, area, std::max({wanted, coarsest, 1e-9}));
   for (const wend_shape& shape : world_.shapes(row / robots_))

@@ -14,6 +14,7 @@
 #include <optional>
 #include <wend/plugin.hpp>
 
+#include "actions.hpp"
 #include "agent.hpp"
 #include "reward.hpp"
 #include "trials.hpp"
@@ -42,6 +43,10 @@ class Inputs {
   Inputs(const wend::Config& config, const Settings& settings) {
     const std::vector<std::string> observe = config.params.texts("observe");
     if (observe.empty()) {
+      if (!config.params.numbers("scales").empty())
+        throw wend::parameter_error("scales", "expected none beside the navigation state, found " +
+                                                  std::to_string(config.params.numbers("scales").size()) +
+                                                  "; they divide the columns of observe");
       navigation_.emplace(config.observation, config.params, settings.theta);
       if (settings.fold) image_ = mirror_of(*navigation_);
       return;
@@ -99,7 +104,7 @@ class Hdp {
         weights_key_(wend::stream(config.seed(), "weights")),
         rows_(config.rows()),
         next_(inputs_.size()) {
-    read_actions(config);
+    read_actions(config, actions_);
     for (Row& row : rows_) row.x.resize(inputs_.size());
     draw();
     step_.box("J", "1").box("r", "1").box("u", "1", -1, 1);
@@ -178,6 +183,8 @@ class Hdp {
                                     " weights of a layer, found " + std::to_string(weights.size()));
         *layer = weights;
       }
+      if (!network->padded_with_zeros())
+        throw wend::damaged_state(std::string(name) + ": expected zeros beyond the hidden units, found others");
       if (!network->finite())
         throw wend::damaged_state(std::string(name) + ": expected finite weights, found another " +
                                   network->where_not_finite());
@@ -219,20 +226,6 @@ class Hdp {
            (settings_.critic_bias ? ", critic with a bias" : "");
   }
 
-  void read_actions(const wend::Config& config) {
-    const std::vector<double> actions = config.params.numbers("actions");
-    const std::uint64_t count = config.action.width() == 1 ? config.action[0].count : 0;
-    if (count == 0)
-      throw wend::unsupported("expected discrete actions (a table in the robot's definition), found continuous ones");
-    for (std::size_t k = 0; k < 3; ++k) {
-      actions_[k] = actions[k];
-      if (!(actions[k] < static_cast<double>(count)))
-        throw wend::parameter_error(wend::Params::element("actions", k),
-                                    "expected an action 0.." + std::to_string(count - 1) + ", found " +
-                                        std::to_string(static_cast<std::uint64_t>(actions[k])));
-    }
-  }
-
   bool learns(const Row& row) const noexcept {
     return row.mode == WEND_TRAIN_EXPLORE && !row.diverged && !trials_.stopped();
   }
@@ -269,7 +262,8 @@ class Hdp {
                               (by_actor ? agent_.actor : agent_.critic).where_not_finite() +
                               " is no longer a finite number";
     if (settings_.divergence_is_error)
-      throw wend::Error(where + "; lower l_a and l_c, or set clip, normalise or on_divergence: redraw");
+      throw wend::parameter_error(by_actor ? "l_a" : "l_c",
+                                  where + "; lower l_a and l_c, or set clip, normalise or on_divergence: redraw");
     host_->log(host_, 2, (where + "; the trial counts as failed and all weights are drawn anew").c_str());
     row.diverged = true;
     draw();

@@ -10,6 +10,7 @@
 #pragma once
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <wend/config.hpp>
 #include <wend/math.hpp>
 #include <wend/reading.hpp>
@@ -63,11 +64,14 @@ class Navigation {
     if (ranges_.size() != kinds_.size())
       throw wend::parameter_error("kinds", "expected as many columns as in range, " + std::to_string(ranges_.size()) +
                                                ", found " + std::to_string(kinds_.size()));
+    expect_unit(goal_.column(0), "rad", "goal");
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
       const double reach = ranges_.column(i).high;
+      expect_unit(ranges_.column(i), "m", "range");
       if (!(reach > 0) || std::isinf(reach))
         throw wend::parameter_error("range", "column \"" + std::string(ranges_.column(i).name) +
                                                  "\": expected a distance with a finite range, found none");
+      expect_unit(kinds_.column(i), "1", "kinds");
       if (ranges_.bearing(i) != kinds_.bearing(i))
         throw wend::parameter_error("kinds", "column " + std::to_string(i) + ": expected the bearing of \"" +
                                                  ranges_.column(i).name + "\", found another");
@@ -91,6 +95,12 @@ class Navigation {
   }
 
  private:
+  static void expect_unit(const wend_column& column, std::string_view unit, const char* parameter) {
+    if (column.unit != unit)
+      throw wend::parameter_error(parameter, "column \"" + std::string(column.name) + "\": expected the unit " +
+                                                 std::string(unit) + ", found " + column.unit);
+  }
+
   wend::Reading ranges_, kinds_, goal_;
   Theta theta_;
 };

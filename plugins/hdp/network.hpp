@@ -67,6 +67,14 @@ struct Network {
     return total == 0;
   }
 
+  // The lanes beyond the hidden units hold nothing.
+  bool padded_with_zeros() const noexcept {
+    for (std::size_t j = 0; j <= inputs; ++j)
+      for (std::size_t i = hidden; i < lanes; ++i)
+        if ((j < inputs ? first[j * lanes + i] : second[i]) != 0) return false;
+    return true;
+  }
+
   // "hidden weight (unit 2, input 3)" of the first weight that is not finite.
   std::string where_not_finite() const {
     for (std::size_t i = 0; i < hidden; ++i)

@@ -1,5 +1,7 @@
 #include "settings.hpp"
 
+#include "actions.hpp"
+
 namespace hdp {
 namespace {
 
@@ -77,6 +79,10 @@ Settings settings_from(const wend::Params& params) {
   take("noise", s.noise), take("noise_decay", s.noise_decay), take("noise_floor", s.noise_floor);
   take("success_noise", s.success_noise), take("timeout_noise", s.timeout_noise);
   take("success_l_a", s.success_l_a), take("success_l_c", s.success_l_c);
+  check_criterion(s.criterion, s.stop_after);
+  if (s.noise_floor > s.noise)
+    throw wend::parameter_error("noise_floor", "expected at most noise = " + wend::number_text(s.noise) + ", found " +
+                                                   wend::number_text(s.noise_floor) + "; lower it too, or raise noise");
   return s;
 }
 

@@ -122,9 +122,11 @@ void Critic::train(const Window& window, std::uint32_t sweeps) {
     bootstrap(window, values, expansion_.padded(), targets);
     dual = machine.fit(targets, 1).front();
   }
-  for (const double weight : dual.alpha)
-    if (!std::isfinite(weight))
-      throw wend::Error("training: expected finite values Q, found NaN or infinity; lower gamma or raise C");
+  bool finite = std::isfinite(deviation_);
+  for (const double weight : dual.alpha) finite = finite && std::isfinite(weight);
+  if (!finite)
+    throw wend::Error(WEND_E_PARAMETER, {},
+                      "training: expected finite values Q, found NaN or infinity; lower gamma, caution or the rewards");
   machine_ = std::move(machine);
   dual_ = std::move(dual);
   targets_ = std::move(targets);

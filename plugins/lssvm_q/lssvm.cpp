@@ -36,8 +36,10 @@ Lssvm::Lssvm(Points x, double sigma, double c, const Loops& loops)
     for (Index i = std::max(n, j); i < padded; ++i) last[i % strip_rows] = i == j ? 1 : 0;
   }
   if (!factor_.factor(loops))
-    throw wend::Error("the LS-SVM's system of " + std::to_string(n) +
-                      " samples: expected a positive definite K + I/C, found none within rounding; lower C");
+    throw wend::Error(WEND_E_PARAMETER, {},
+                      "the LS-SVM's system of " + std::to_string(n) +
+                          " samples: expected a positive definite K + I/C, found none within rounding; lower C "
+                          "(advice_C of the classification)");
   eta_.assign(padded, 0);
   std::fill_n(eta_.begin(), n, 1.0);
   invert(eta_);

@@ -187,7 +187,13 @@ class LssvmQ {
   std::uint32_t draw(wend::Random& random) {
     const double best = *std::max_element(worth_.begin(), worth_.end());
     for (double& w : worth_) w = wend::math::exp((w - best) / temperature_);
-    return static_cast<std::uint32_t>(random.weighted(worth_));
+    const std::size_t drawn = random.weighted(worth_);
+    if (drawn >= worth_.size())
+      throw wend::Error(
+          WEND_E_PARAMETER, {},
+          "the actions' worth: expected finite values, found NaN or infinity; lower gamma, caution or the "
+          "rewards");
+    return static_cast<std::uint32_t>(drawn);
   }
 
   // Step 3: one transition becomes a sample of D1 under (8), of D2 under (9).

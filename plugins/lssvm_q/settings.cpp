@@ -35,18 +35,11 @@ Switching read_switch(const wend::Params& params) {
   return out;
 }
 
-std::string number(double value) {
-  std::string text = std::to_string(value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
 // What one parameter alone cannot tell.
 void check(const Settings& s, const Features& features) {
   if (s.coldest > s.hottest)
-    throw wend::parameter_error(
-        "temperature", "expected the lowest first, found " + number(s.coldest) + " before " + number(s.hottest));
+    throw wend::parameter_error("temperature", "expected the lowest first, found " + wend::number_text(s.coldest) +
+                                                   " before " + wend::number_text(s.hottest));
   if (s.retrain_every > s.window)
     throw wend::parameter_error("retrain_every", "expected at most window = " + std::to_string(s.window) +
                                                      ", or samples are forgotten before they are learned from, found " +

@@ -1,6 +1,8 @@
 // The loops of simd_loops.inc for each instruction set, and the choice between them.
 #include "simd.hpp"
 
+#include <wend/cpu.hpp>
+
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -42,19 +44,7 @@ constexpr Loops tables[] = {
 #endif
 };
 
-std::size_t supported() noexcept {
-#if defined(__x86_64__)
-  __builtin_cpu_init();
-  if (!__builtin_cpu_supports("avx2")) return 1;
-  const bool wide =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  return wide ? 3 : 2;
-#else
-  return 1;
-#endif
-}
-
-const std::size_t count = supported();
+const std::size_t count = wend::vector_level();
 
 }  // namespace
 

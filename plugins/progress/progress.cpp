@@ -1,6 +1,6 @@
 // wend.progress -- reward of a robot on its way to a goal through narrow rooms, after Li et al., "Path obstacle
-// avoidance planning of an ALV in narrow environments, based on XCS and LS-SVM": a reward for the goal, a graded penalty
-// for what comes near, and progress towards the goal, which the paper leaves open.
+// avoidance planning of an ALV in narrow environments, based on XCS and LS-SVM": a reward for the goal, a graded
+// penalty for what comes near, and progress towards the goal, which the paper leaves open.
 //
 //   symbol  here               meaning
 //   d_g     goal distance      m, before and after the action
@@ -34,13 +34,16 @@ class Progress {
         step_(config.params.number("step")),
         action_costs_(config.params.numbers("action_costs")) {
     if (near_ > collision_)
-      throw wend::parameter_error("near", "expected at most collision = " + std::to_string(collision_) +
+      throw wend::parameter_error("near", "expected at most collision = " + wend::number_text(collision_) +
                                               ", so that a collision is never the lesser evil, found " +
-                                              std::to_string(near_));
+                                              wend::number_text(near_));
     const bool table = config.action.width() == 1 && config.action[0].count > 0;
-    if (!action_costs_.empty() && (!table || config.action[0].count != action_costs_.size()))
+    if (!action_costs_.empty() && !table)
+      throw wend::parameter_error(
+          "action_costs", "expected none for continuous actions, found " + std::to_string(action_costs_.size()));
+    if (!action_costs_.empty() && config.action[0].count != action_costs_.size())
       throw wend::parameter_error("action_costs", "expected one cost for each discrete action, " +
-                                                      std::to_string(table ? config.action[0].count : 0) + ", found " +
+                                                      std::to_string(config.action[0].count) + ", found " +
                                                       std::to_string(action_costs_.size()));
   }
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <wend/plugin.hpp>
 
+#include "../hdp/actions.hpp"
 #include "../hdp/navigation.hpp"
 #include "../hdp/network.hpp"
 
@@ -23,17 +24,8 @@ class RandomRedraw {
         actor_(navigation_.size(), config.params.count("hidden")),
         modes_(config.rows()),
         x_(navigation_.size()) {
-    const std::vector<double> actions = config.params.numbers("actions");
-    const std::uint64_t count = config.action.width() == 1 ? config.action[0].count : 0;
-    if (count == 0)
-      throw wend::unsupported("expected discrete actions (a table in the robot's definition), found continuous ones");
-    for (std::size_t k = 0; k < 3; ++k) {
-      actions_[k] = actions[k];
-      if (!(actions[k] < static_cast<double>(count)))
-        throw wend::parameter_error(wend::Params::element("actions", k),
-                                    "expected an action 0.." + std::to_string(count - 1) + ", found " +
-                                        std::to_string(static_cast<std::uint64_t>(actions[k])));
-    }
+    hdp::read_actions(config, actions_);
+    hdp::check_criterion(criterion_, stop_after_);
     draw();
     episode_.box("trials_to_success", "1", 1).box("trials_to_learn", "1", 1).box("crashes_before_success", "1", 0);
     for (const char* name : {"learned", "trials", "crashes", "redraws"}) update_.box(name, "1", 0);
@@ -87,6 +79,7 @@ class RandomRedraw {
       *layer = weights;
     }
     reader.end();
+    if (!actor.padded_with_zeros()) throw wend::damaged_state("expected zeros beyond the hidden units, found others");
     if (!actor.finite())
       throw wend::damaged_state("expected finite weights, found another " + actor.where_not_finite());
     actor_ = std::move(actor);

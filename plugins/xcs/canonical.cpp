@@ -45,7 +45,8 @@ void Canonical::discover(Population& population, const Experience& experience, R
     stamps += population.stamp[rule] * population.numerosity(rule);
     micro += population.numerosity(rule);
   }
-  if (micro > 0 && population.time - stamps / micro > parameters_.theta_ga) breed(population, experience, acted, random);
+  if (micro > 0 && population.time - stamps / micro > parameters_.theta_ga)
+    breed(population, experience, acted, random);
 }
 
 void Canonical::finish(Population& population) {
@@ -53,7 +54,8 @@ void Canonical::finish(Population& population) {
 }
 
 // RUN GA.
-void Canonical::breed(Population& population, const Experience& experience, const RuleSet& acted, wend::Random& random) {
+void Canonical::breed(Population& population, const Experience& experience, const RuleSet& acted,
+                      wend::Random& random) {
   population.generations += 1;
   for (const std::uint32_t rule : acted) population.stamp[rule] = population.time;
   const std::uint32_t mother = select(population, acted, random), father = select(population, acted, random);
@@ -74,8 +76,8 @@ std::uint32_t Canonical::select(const Population& population, const RuleSet& act
     std::uint32_t best = Population::none;
     for (const std::uint32_t rule : acted) {
       if (!random.chance(parameters_.tournament)) continue;
-      if (best == Population::none ||
-          population.fitness[rule] * population.numerosity(best) > population.fitness[best] * population.numerosity(rule))
+      if (best == Population::none || population.fitness[rule] * population.numerosity(best) >
+                                          population.fitness[best] * population.numerosity(rule))
         best = rule;
     }
     return best != Population::none ? best : acted[random.below(acted.size())];
@@ -89,7 +91,8 @@ std::uint32_t Canonical::select(const Population& population, const RuleSet& act
 }
 
 // DO GA SUBSUMPTION by a parent, else INSERT IN POPULATION.
-void Canonical::insert(Population& population, const Offspring& child, std::uint32_t mother, std::uint32_t father) const {
+void Canonical::insert(Population& population, const Offspring& child, std::uint32_t mother,
+                       std::uint32_t father) const {
   if (parameters_.subsume_offspring)
     for (const std::uint32_t parent : {mother, father})
       if (population.action(parent) == child.action && may_subsume(population, parent, parameters_) &&
@@ -106,7 +109,8 @@ std::uint32_t cover_action(Population& population, const std::uint64_t* state, s
   for (std::size_t j = 0; j < population.bits(); ++j)
     if (!random.chance(parameters.p_hash)) care[j / 64] |= std::uint64_t{1} << (j % 64);
   Numbers numbers;
-  numbers.prediction = parameters.prediction_i, numbers.error = parameters.error_i, numbers.fitness = parameters.fitness_i;
+  numbers.prediction = parameters.prediction_i, numbers.error = parameters.error_i,
+  numbers.fitness = parameters.fitness_i;
   numbers.set_size = match_micro;
   numbers.stamp = population.time;
   return population.add(care.data(), state, action, numbers);

@@ -1,4 +1,5 @@
-// The operators of Wilson 1995 and Butz & Wilson 2002: covering, GA in the action set, subsumption, deletion, compaction.
+// The operators of Wilson 1995 and Butz & Wilson 2002: covering, GA in the action set, subsumption, deletion,
+// compaction.
 #pragma once
 #include "discovery.hpp"
 #include "genetics.hpp"
@@ -48,8 +49,9 @@ void subsume_action_set(Population&, RuleSet& acted, const Parameters&);
 void delete_to_limit(Population&, const Parameters&, wend::Random&);
 void delete_to_limit(Population&, const Parameters&, wend::Random&, Wheel& scratch);
 
-// Takes rules out whose every state and action another rule of [P] covers too: one that is more general and experienced,
-// and accurate unless the rule to go has too little experience.  So no action that had a rule in a state loses its last.
+// Takes rules out whose every state and action another rule of [P] covers too: one that is more general and
+// experienced, and accurate unless the rule to go has too little experience.  So no action that had a rule in a state
+// loses its last.
 void compact(Population&, const Parameters&);
 
 }  // namespace xcs

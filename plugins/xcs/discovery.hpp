@@ -14,10 +14,10 @@ namespace xcs {
 struct Experience {
   const std::uint64_t* state = nullptr;  // the encoded observation on which the action was taken
   std::uint32_t action = 0;
-  double reward = 0, target = 0;         // R and P_target
-  std::uint32_t flags = 0;               // WEND_TERMINATED, WEND_COLLIDED, ...
+  double reward = 0, target = 0;  // R and P_target
+  std::uint32_t flags = 0;        // WEND_TERMINATED, WEND_COLLIDED, ...
   std::span<const double> observation, next_observation;
-  bool explored = true;                  // false in TRAIN_GREEDY
+  bool explored = true;  // false in TRAIN_GREEDY
 };
 
 // One object serves one population and keeps what belongs to it, such as a timer.  All chance comes from `random`.

@@ -18,7 +18,9 @@ std::string short_number(double value) {
   return text;
 }
 
-std::uint64_t gray(std::uint64_t k) noexcept { return k ^ (k >> 1); }
+std::uint64_t gray(std::uint64_t k) noexcept {
+  return k ^ (k >> 1);
+}
 
 // Writes the lowest `width` bits of a number from bit `at` of the message on, which is 0 there.
 void put(std::uint64_t* message, std::size_t& at, std::uint64_t number, std::uint32_t width) noexcept {
@@ -48,8 +50,8 @@ Encoder::Encoder(wend::Space observation, const wend::Params& params, const std:
       throw wend::parameter_error(path + "/as", "expected thermometer, sectors or binary, found " + as);
     }
     if (names_.size() > most_bits)
-      throw wend::parameter_error(path, "expected a message of at most " + std::to_string(most_bits) +
-                                            " bits, found " + std::to_string(names_.size()) +
+      throw wend::parameter_error(path, "expected a message of at most " + std::to_string(most_bits) + " bits, found " +
+                                            std::to_string(names_.size()) +
                                             ": encode fewer columns or use fewer thresholds");
   }
   if (names_.empty()) throw wend::parameter_error(parameter, "expected at least one bit to match on, found none");
@@ -60,9 +62,9 @@ void Encoder::add_thermometer(Part part, const std::string& path) {
   if (part.thresholds.empty()) throw wend::parameter_error(path + "/thresholds", "expected thresholds, found none");
   for (std::size_t k = 0; k < part.thresholds.size(); ++k)
     if (!std::isfinite(part.thresholds[k]) || (k > 0 && part.thresholds[k] <= part.thresholds[k - 1]))
-      throw wend::parameter_error(wend::Params::element(path + "/thresholds", k),
-                                  "expected finite thresholds in ascending order, found " +
-                                      short_number(part.thresholds[k]));
+      throw wend::parameter_error(
+          wend::Params::element(path + "/thresholds", k),
+          "expected finite thresholds in ascending order, found " + short_number(part.thresholds[k]));
   for (std::size_t c = 0; c < part.columns.size(); ++c)
     for (const double threshold : part.thresholds) {
       names_.push_back(std::string(part.columns.column(c).name) + "<" + short_number(threshold));
@@ -95,9 +97,9 @@ void Encoder::add_binary(Part part, const std::string& path) {
   for (std::size_t c = 0; c < part.columns.size(); ++c) {
     const wend_column& column = part.columns.column(c);
     if (column.count < 2)
-      throw wend::parameter_error(path + "/columns",
-                                  "expected columns of whole numbers for binary, found \"" + std::string(column.name) +
-                                      "\" in " + column.unit + ": encode it as thermometer or sectors");
+      throw wend::parameter_error(path + "/columns", "expected columns of whole numbers for binary, found \"" +
+                                                         std::string(column.name) + "\" in " + column.unit +
+                                                         ": encode it as thermometer or sectors");
     const auto bits = static_cast<std::uint32_t>(std::bit_width(column.count - 1));
     part.width.push_back(bits);
     for (std::uint32_t b = 0; b < bits; ++b) {

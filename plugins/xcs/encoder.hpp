@@ -32,8 +32,8 @@ class Encoder {
   struct Part {
     As as = As::binary;
     wend::Reading columns;
-    std::vector<double> thresholds;  // ascending
-    std::uint64_t sectors = 0;       // a power of two
+    std::vector<double> thresholds;    // ascending
+    std::uint64_t sectors = 0;         // a power of two
     std::vector<std::uint32_t> width;  // binary: bits of each column
   };
   void add_thermometer(Part part, const std::string& path);

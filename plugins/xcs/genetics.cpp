@@ -24,7 +24,8 @@ void Offspring::copy(const Population& population, std::uint32_t parent) {
   numbers.marks = 0;
 }
 
-Genetics::Genetics(const Parameters& parameters, std::size_t bits) : uniform_(parameters.uniform_crossover), bits_(bits) {
+Genetics::Genetics(const Parameters& parameters, std::size_t bits)
+    : uniform_(parameters.uniform_crossover), bits_(bits) {
   unmutated_.assign(bits + 2, 1);  // the action mutates after the condition, as one more place
   for (std::size_t k = 1; k < unmutated_.size(); ++k) unmutated_[k] = unmutated_[k - 1] * (1 - parameters.mu);
 }

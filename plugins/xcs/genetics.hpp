@@ -20,8 +20,8 @@ class Genetics {
   Genetics(const Parameters& parameters, std::size_t bits);
   // Conditions change a part; prediction, error and fitness become the means.
   void cross(Offspring& a, Offspring& b, wend::Random& random) const;
-  // Each bit and the action with probability mu.  Within the niche of `state`: '#' becomes the state's bit, a specified bit
-  // becomes '#'.  Without a state a bit becomes one of the other two.  The action becomes another one.
+  // Each bit and the action with probability mu.  Within the niche of `state`: '#' becomes the state's bit, a specified
+  // bit becomes '#'.  Without a state a bit becomes one of the other two.  The action becomes another one.
   void mutate(Offspring& child, const std::uint64_t* state, std::uint32_t actions, wend::Random& random) const;
 
  private:

@@ -13,7 +13,7 @@ namespace xcs {
 std::uint32_t count_actions(const wend::Space& action) {
   if (action.width() != 1 || action[0].count == 0)
     throw wend::unsupported("expected one column of discrete actions, found " + std::to_string(action.width()) +
-                            " columns" + (action.width() == 1 ? " that are not discrete" : ""));
+                            (action.width() == 1 ? " that is not discrete" : "") + "; give the robot an action table");
   return static_cast<std::uint32_t>(action[0].count);
 }
 
@@ -52,9 +52,9 @@ void Learner::seed_from(const std::string& file) {
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   for (auto& base : bases_) read_rules(text, encoder_.signature(), "rules", base->population);
   if (bases_.front()->population.micro() > parameters_.limit)
-    throw wend::parameter_error("rules", "expected at most N = " + shortest(parameters_.limit) +
-                                             " micro-classifiers, found " + shortest(bases_.front()->population.micro()) +
-                                             ": raise N or take fewer rules");
+    throw wend::parameter_error("rules",
+                                "expected at most N = " + shortest(parameters_.limit) + " micro-classifiers, found " +
+                                    shortest(bases_.front()->population.micro()) + ": raise N or take fewer rules");
 }
 
 void Learner::begin(wend::Rows rows, wend::Episodes episodes) {

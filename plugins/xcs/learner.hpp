@@ -30,15 +30,15 @@ class Learner {
  protected:
   struct Row {
     explicit Row(std::size_t words) : state(words), next(words) {}
-    wend::Random random{0};            // all chance of its episode
+    wend::Random random{0};  // all chance of its episode
     std::uint32_t mode = WEND_TEST;
     std::vector<std::uint64_t> state;  // the encoded observation of the last decision
     std::vector<std::uint64_t> next;   // scratch: the one that follows
     RuleSet acted;                     // [A], tracked by the population
     std::uint32_t action = 0;
-    bool decided = false;              // state, acted and action belong together
-    double prediction = 0;             // PA of the action
-    double matching = 0;               // rules in [M]
+    bool decided = false;   // state, acted and action belong together
+    double prediction = 0;  // PA of the action
+    double matching = 0;    // rules in [M]
   };
   struct Base {  // a rule base: one for all robots, or one for each
     Base(std::size_t bits, std::uint32_t actions) : population(bits, actions) {}
@@ -53,7 +53,9 @@ class Learner {
   }
   // What a learner keeps besides its rule bases.  load_more() reads, and returns what takes it over.
   virtual void save_more(wend::Writer&) const {}
-  virtual std::function<void()> load_more(wend::Reader&) { return [] {}; }
+  virtual std::function<void()> load_more(wend::Reader&) {
+    return [] {};
+  }
   // New operators for one rule base; none where the learner has its own.
   virtual std::unique_ptr<Discovery> make_discovery() const = 0;
 

@@ -36,21 +36,29 @@ Population load_population(wend::Reader& reader, std::size_t bits, std::uint32_t
   bool good = conditions.size() == 2 * words * n;
   for (auto& column : numbers) {
     column = reader.get_all<double>();
-    good = good && column.size() == n && std::all_of(column.begin(), column.end(), [](double x) { return std::isfinite(x); });
+    good = good && column.size() == n &&
+           std::all_of(column.begin(), column.end(), [](double x) { return std::isfinite(x); });
   }
   const auto marks = reader.get_all<std::uint8_t>();
-  if (!good || marks.size() != n) throw wend::damaged_state("expected the numbers of " + std::to_string(n) + " rules, found others");
+  if (!good || marks.size() != n)
+    throw wend::damaged_state("expected the numbers of " + std::to_string(n) + " rules, found others");
   const std::uint64_t beyond = bits % 64 ? ~std::uint64_t{0} << (bits % 64) : 0;
   for (std::size_t r = 0; r < n; ++r) {
     const std::uint64_t *care = conditions.data() + 2 * words * r, *value = care + words;
     const double copies = numbers[6][r];
-    if (chosen[r] >= actions || (care[words - 1] & beyond) != 0 || !(copies >= 1) || copies != std::floor(copies))
+    bool hidden = false;  // a value where the condition has '#'
+    for (std::size_t w = 0; w < words; ++w) hidden = hidden || (value[w] & ~care[w]) != 0;
+    if (chosen[r] >= actions || hidden || (care[words - 1] & beyond) != 0 || !(copies >= 1) ||
+        copies != std::floor(copies))
       throw wend::damaged_state("rule " + std::to_string(r) + " is not one of this encoding and these actions");
-    population.add(care, value, static_cast<std::uint32_t>(chosen[r]),
-                   {numbers[0][r], numbers[1][r], numbers[2][r], numbers[3][r], numbers[4][r], numbers[5][r], copies, marks[r]});
+    population.add(
+        care, value, static_cast<std::uint32_t>(chosen[r]),
+        {numbers[0][r], numbers[1][r], numbers[2][r], numbers[3][r], numbers[4][r], numbers[5][r], copies, marks[r]});
   }
   population.time = reader.get<double>();
   population.generations = reader.get<double>();
+  if (!std::isfinite(population.time) || !std::isfinite(population.generations))
+    throw wend::damaged_state("expected a finite time and number of generations, found others");
   return population;
 }
 
@@ -75,7 +83,8 @@ void Learner::save(wend::Writer& writer) const {
 // One rule base may be handed to several robots; several are never poured into one.
 void Learner::load(wend::Reader& reader) {
   reader.expect(signature());
-  const auto learned = reader.get<std::uint64_t>(), episodes = reader.get<std::uint64_t>(), n = reader.get<std::uint64_t>();
+  const auto learned = reader.get<std::uint64_t>(), episodes = reader.get<std::uint64_t>(),
+             n = reader.get<std::uint64_t>();
   if (n != bases_.size() && n != 1)
     throw wend::damaged_state("expected " + std::to_string(bases_.size()) + " rule bases, found " + std::to_string(n));
   std::vector<Population> read;
@@ -144,9 +153,10 @@ void Learner::explain(std::uint32_t index, wend::Writer& writer) const {
     text += ": action " + std::to_string(row.action) + ", predicted " + shortest(row.prediction) + ", by " +
             std::to_string(match.size()) + " rules:\n";
     for (const std::uint32_t rule : match)
-      text += "//   " + base.population.condition(rule) + " -> " + std::to_string(base.population.action(rule)) + "  p " +
-              shortest(base.population.prediction[rule]) + " error " + shortest(base.population.error[rule]) + " F " +
-              shortest(base.population.fitness[rule]) + " x " + shortest(base.population.numerosity(rule)) + "\n";
+      text += "//   " + base.population.condition(rule) + " -> " + std::to_string(base.population.action(rule)) +
+              "  p " + shortest(base.population.prediction[rule]) + " error " + shortest(base.population.error[rule]) +
+              " F " + shortest(base.population.fitness[rule]) + " x " + shortest(base.population.numerosity(rule)) +
+              "\n";
   }
   writer.text(format_rules(base.population, encoder_.signature()));
   writer.text(text);

@@ -10,7 +10,9 @@ typedef std::uint64_t Lanes8 __attribute__((vector_size(64), may_alias));
 
 constexpr std::size_t pair_words = 2 * Planes::block_words;  // of both planes of a bit
 
-inline std::size_t bit_of(const std::uint64_t* words, std::size_t j) { return words[j / 64] >> (j % 64) & 1; }
+inline std::size_t bit_of(const std::uint64_t* words, std::size_t j) {
+  return words[j / 64] >> (j % 64) & 1;
+}
 
 template <class Register>
 [[gnu::always_inline]] inline void match_in(const Planes& planes, std::size_t blocks, const std::uint64_t* state,
@@ -45,7 +47,8 @@ template <class Register>
     for (std::size_t j = 0; j < planes.bits; ++j) {
       const std::size_t wanted = bit_of(value, j);
       const auto* own = reinterpret_cast<const Register*>(block + j * pair_words + wanted * Planes::block_words);
-      const auto* other = reinterpret_cast<const Register*>(block + j * pair_words + (1 - wanted) * Planes::block_words);
+      const auto* other =
+          reinterpret_cast<const Register*>(block + j * pair_words + (1 - wanted) * Planes::block_words);
       const Word specified = 0 - static_cast<Word>(bit_of(care, j));
       for (std::size_t r = 0; r < registers; ++r) same[r] &= own[r] & (other[r] ^ specified);
     }
@@ -54,13 +57,16 @@ template <class Register>
   }
 }
 
-void match_scalar(const Planes& p, std::size_t n, const std::uint64_t* s, std::uint64_t* m) { match_in<Word>(p, n, s, m); }
+void match_scalar(const Planes& p, std::size_t n, const std::uint64_t* s, std::uint64_t* m) {
+  match_in<Word>(p, n, s, m);
+}
 void find_scalar(const Planes& p, std::size_t n, const std::uint64_t* c, const std::uint64_t* v, std::uint64_t* m) {
   find_in<Word>(p, n, c, v, m);
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void match_avx2(const Planes& p, std::size_t n, const std::uint64_t* s, std::uint64_t* m) {
+__attribute__((target("avx2"))) void match_avx2(const Planes& p, std::size_t n, const std::uint64_t* s,
+                                                std::uint64_t* m) {
   match_in<Lanes4>(p, n, s, m);
 }
 __attribute__((target("avx2"))) void find_avx2(const Planes& p, std::size_t n, const std::uint64_t* c,

@@ -1,5 +1,5 @@
-// Matching by transposed conditions.  For every bit of the state and each of its two values a plane holds one bit a rule:
-// 1 where the rule accepts that value there.  A state's match set is the conjunction of one plane a bit, so one
+// Matching by transposed conditions.  For every bit of the state and each of its two values a plane holds one bit a
+// rule: 1 where the rule accepts that value there.  A state's match set is the conjunction of one plane a bit, so one
 // instruction of 512 bits decides a bit for 512 rules.  All kernels give the same mask, bit for bit.
 #pragma once
 #include <cstddef>
@@ -21,8 +21,8 @@ struct CacheLineAllocator {
   CacheLineAllocator() = default;
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) noexcept {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64})); }
-  void deallocate(T* p, std::size_t) noexcept { ::operator delete(p, std::align_val_t{64}); }
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64})); }
+  void deallocate(T* p, std::size_t) noexcept { ::operator delete (p, std::align_val_t{64}); }
   bool operator==(const CacheLineAllocator&) const noexcept { return true; }
 };
 
@@ -39,7 +39,8 @@ struct Planes {
 };
 
 // mask: 8 words a block, aligned as the planes are; bit r of block b is rule 512 b + r.
-void match_planes(Kernel kernel, const Planes& planes, std::size_t blocks, const std::uint64_t* state, std::uint64_t* mask);
+void match_planes(Kernel kernel, const Planes& planes, std::size_t blocks, const std::uint64_t* state,
+                  std::uint64_t* mask);
 
 // As match_planes, but of the rules whose condition is exactly this one.
 void find_planes(Kernel kernel, const Planes& planes, std::size_t blocks, const std::uint64_t* care,

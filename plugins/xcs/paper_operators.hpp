@@ -24,16 +24,16 @@ inline constexpr std::uint8_t kUnsafe = 2;  // fit1 = 0 when the rule acted last
 inline constexpr std::uint8_t kMerged = 4;  // came from merging
 
 struct PaperOptions {
-  bool strength = false;        // fit2 is the prediction itself, and all rules of [M] have the same say; else accuracy
-  double safety_distance = 0;   // m: R of (12)
+  bool strength = false;       // fit2 is the prediction itself, and all rules of [M] have the same say; else accuracy
+  double safety_distance = 0;  // m: R of (12)
   std::uint64_t merge_every = 0;  // K, learned steps; 0: never
-  double merge_tolerance = 0;   // largest |P1 - P2|
-  double merge_experience = 0;  // least experience of both
-  double initial_rules = 0;     // random rules that a new rule base starts with
-  double specialise = 0;        // probability that a punished rule with '#' also gets an offspring of its own action
-  double beta_least = 0;        // the learning rate falls with experience down to this; at least `beta`: it is constant
-  double inherited = 0;         // experience of a covering rule, with what the nearest rules predict; 0: neither
-  double seeded_beta = 0;       // learning rate of a seeded rule until it has `seeded_experience`; 0: as any other
+  double merge_tolerance = 0;     // largest |P1 - P2|
+  double merge_experience = 0;    // least experience of both
+  double initial_rules = 0;       // random rules that a new rule base starts with
+  double specialise = 0;          // probability that a punished rule with '#' also gets an offspring of its own action
+  double beta_least = 0;   // the learning rate falls with experience down to this; at least `beta`: it is constant
+  double inherited = 0;    // experience of a covering rule, with what the nearest rules predict; 0: neither
+  double seeded_beta = 0;  // learning rate of a seeded rule until it has `seeded_experience`; 0: as any other
   double seeded_experience = 0;
 };
 

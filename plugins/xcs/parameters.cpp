@@ -1,31 +1,19 @@
 #include "parameters.hpp"
 
-#include <algorithm>
-
 namespace xcs {
-namespace {
-
-std::string plain(double number) {
-  std::string text = std::to_string(number);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-}  // namespace
-
 Parameters read_parameters(const wend::Params& params, std::size_t bits, std::uint32_t actions) {
   Parameters p;
   p.limit = params.number("N");
   p.p_hash = params.number("P_hash");
   // One arm may serve worlds of different sizes: the entry with the most bits that the condition has wins.
   double most = -1;
+  std::string limit = "N";  // where it stands
   for (std::size_t i = 0; i < params.size("by_bits"); ++i) {
     const std::string entry = wend::Params::element("by_bits", i);
     const double from = params.number(entry + "/bits");
     if (from > static_cast<double>(bits) || from <= most) continue;
     most = from;
-    p.limit = params.number_or(entry + "/N", p.limit);
+    if (params.has(entry + "/N")) p.limit = params.number(limit = entry + "/N");
     p.p_hash = params.number_or(entry + "/P_hash", p.p_hash);
   }
   p.beta = params.number("beta");
@@ -52,11 +40,12 @@ Parameters read_parameters(const wend::Params& params, std::size_t bits, std::ui
 
   if (p.theta_mna == 0) p.theta_mna = actions;
   if (p.theta_mna > actions)
-    throw wend::parameter_error("theta_mna", "expected at most the " + std::to_string(actions) + " actions that there are, found " +
-                                                 plain(p.theta_mna) + "; 0 stands for all of them");
+    throw wend::parameter_error("theta_mna", "expected at most the " + std::to_string(actions) +
+                                                 " actions that there are, found " + wend::number_text(p.theta_mna) +
+                                                 "; 0 stands for all of them");
   if (p.limit < actions)
-    throw wend::parameter_error("N", "expected room for a rule of each of the " + std::to_string(actions) +
-                                         " actions, found a population of " + plain(p.limit));
+    throw wend::parameter_error(limit, "expected room for a rule of each of the " + std::to_string(actions) +
+                                           " actions, found a population of " + wend::number_text(p.limit));
   return p;
 }
 

@@ -20,11 +20,14 @@ void fill_gap(std::vector<T>& all, std::uint32_t gap) {  // the last takes the p
 Population::Population(std::size_t bits, std::uint32_t actions)
     : bits_(bits), words_((bits + 63) / 64), actions_(actions), kernel_(best_kernel()), planes_(bits) {}
 
-Population::Population(const Population& other) : Population(other.bits_, other.actions_) { *this = other; }
+Population::Population(const Population& other) : Population(other.bits_, other.actions_) {
+  *this = other;
+}
 
 Population& Population::operator=(const Population& other) {
   prediction = other.prediction, error = other.error, fitness = other.fitness, experience = other.experience;
-  set_size = other.set_size, stamp = other.stamp, marks = other.marks, time = other.time, generations = other.generations;
+  set_size = other.set_size, stamp = other.stamp, marks = other.marks, time = other.time,
+  generations = other.generations;
   bits_ = other.bits_, words_ = other.words_, actions_ = other.actions_, kernel_ = other.kernel_, micro_ = other.micro_;
   care_ = other.care_, value_ = other.value_, action_ = other.action_, numerosity_ = other.numerosity_;
   planes_ = other.planes_, mask_ = other.mask_;
@@ -164,7 +167,8 @@ void Population::nearest(const std::uint64_t* state, RuleSet& out) const {
 // The planes of one rule hold two bits for each bit of the condition.
 void Population::write_planes(std::uint32_t rule, const std::uint64_t* care, const std::uint64_t* value) {
   ++version_;
-  std::uint64_t* plane = planes_.words.data() + rule / Planes::block_rules * bits_ * pair_words + rule % Planes::block_rules / 64;
+  std::uint64_t* plane =
+      planes_.words.data() + rule / Planes::block_rules * bits_ * pair_words + rule % Planes::block_rules / 64;
   const std::uint64_t bit = std::uint64_t{1} << (rule % 64);
   for (std::size_t j = 0; j < bits_; ++j, plane += pair_words) {
     const bool free = !(care[j / 64] >> (j % 64) & 1), one = value[j / 64] >> (j % 64) & 1;
@@ -175,7 +179,8 @@ void Population::write_planes(std::uint32_t rule, const std::uint64_t* care, con
 
 void Population::clear_planes(std::uint32_t rule) {
   ++version_;
-  std::uint64_t* plane = planes_.words.data() + rule / Planes::block_rules * bits_ * pair_words + rule % Planes::block_rules / 64;
+  std::uint64_t* plane =
+      planes_.words.data() + rule / Planes::block_rules * bits_ * pair_words + rule % Planes::block_rules / 64;
   const std::uint64_t bit = std::uint64_t{1} << (rule % 64);
   for (std::size_t j = 0; j < bits_; ++j, plane += pair_words) {
     plane[0] &= ~bit;

@@ -1,8 +1,10 @@
-// A population of macro-classifiers over packed ternary conditions: the one rule store of wend.xcs, wend.lcs and wend.zcs.
+// A population of macro-classifiers over packed ternary conditions: the one rule store of wend.xcs, wend.lcs and
+// wend.zcs.
 //
-// Bit j of a condition lies in word j / 64 at position j % 64.  `care` has a 1 where the bit is specified, `value` says what
-// it must be there and is 0 where it is '#'.  For matching the same conditions are kept transposed, by bit (match.hpp).
-// Rules are numbered 0..size()-1 without gaps: removing one moves the last into its place, in the tracked sets too.
+// Bit j of a condition lies in word j / 64 at position j % 64.  `care` has a 1 where the bit is specified, `value` says
+// what it must be there and is 0 where it is '#'.  For matching the same conditions are kept transposed, by bit
+// (match.hpp). Rules are numbered 0..size()-1 without gaps: removing one moves the last into its place, in the tracked
+// sets too.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -52,7 +54,8 @@ class Population {
   Numbers numbers(std::uint32_t rule) const;
   bool matches(std::uint32_t rule, const std::uint64_t* state) const noexcept;
   // True if `general` matches all that `special` does and more, by conditions alone.
-  bool more_general(std::uint32_t general, const std::uint64_t* special_care, const std::uint64_t* special_value) const noexcept;
+  bool more_general(std::uint32_t general, const std::uint64_t* special_care,
+                    const std::uint64_t* special_value) const noexcept;
   std::size_t specified(std::uint32_t rule) const noexcept;  // bits that are not '#'
   std::string condition(std::uint32_t rule) const;           // "01##1", bit 0 first
 
@@ -62,9 +65,10 @@ class Population {
 
   // ---- changing it
   // `care` and `value` lie outside of the population.
-  std::uint32_t add(const std::uint64_t* care, const std::uint64_t* value, std::uint32_t action, const Numbers& numbers);
-  void remove(std::uint32_t rule);                                // with all its copies
-  void set_numerosity(std::uint32_t rule, double numerosity);     // at least 1
+  std::uint32_t add(const std::uint64_t* care, const std::uint64_t* value, std::uint32_t action,
+                    const Numbers& numbers);
+  void remove(std::uint32_t rule);                             // with all its copies
+  void set_numerosity(std::uint32_t rule, double numerosity);  // at least 1
   void set_condition(std::uint32_t rule, const std::uint64_t* care, const std::uint64_t* value);
   void set_action(std::uint32_t rule, std::uint32_t action) { action_[rule] = action, ++version_; }
   void clear();

@@ -28,8 +28,11 @@ class Lines {
     return false;
   }
   [[noreturn]] void fail(const std::string& expected, std::string_view found) const {
-    throw wend::parameter_error(parameter_, "line " + std::to_string(number_) + ": expected " + expected + ", found \"" +
-                                                std::string(found.substr(0, 60)) + "\"");
+    std::string shown(found.substr(0, 60));
+    for (char& c : shown)
+      if (c < ' ' || c > '~') c = '?';  // a file that is no text
+    throw wend::parameter_error(parameter_, "line " + std::to_string(number_) + ": expected " + expected +
+                                                ", found \"" + shown + (found.size() > 60 ? "..." : "") + "\"");
   }
   [[noreturn]] void ends(const std::string& expected) const {
     throw wend::parameter_error(parameter_, "expected " + expected + ", found the end of the file");
@@ -46,6 +49,29 @@ std::string_view word(std::string_view& line) {
   const std::string_view found = line.substr(0, line.find_first_of(" \t"));
   line.remove_prefix(found.size());
   return found;
+}
+
+// The name of the next bit of an encoding, which ends with a semicolon; empty after the last.
+std::string_view next_bit(std::string_view& encoding) {
+  const std::string_view name = encoding.substr(0, encoding.find(';'));
+  encoding.remove_prefix(std::min(name.size() + 1, encoding.size()));
+  return name;
+}
+
+// Names the first bit that is another one: encodings are long.
+void check_encoding(std::string_view line, std::string_view encoding, const Lines& lines) {
+  const std::string_view key = "encoding ";
+  if (line.substr(0, key.size()) != key) lines.fail("\"encoding\" and the names of its bits", line);
+  std::string_view found = line.substr(key.size());
+  if (found == encoding) return;
+  for (std::size_t bit = 0;; ++bit) {
+    const std::string_view own = next_bit(encoding), other = next_bit(found);
+    if (own == other && !(own.empty() && other.empty())) continue;
+    const std::string place = "the encoding of this observation, with bit " + std::to_string(bit) + " ";
+    lines.fail(own.empty() ? "the encoding of this observation, of " + std::to_string(bit) + " bits"
+                           : place + "\"" + std::string(own) + "\"",
+               other);
+  }
 }
 
 double number(std::string_view& line, const Lines& lines, const char* name, double least) {
@@ -88,8 +114,8 @@ std::string shortest(double number) {
 }
 
 std::string format_rules(const Population& population, const std::string& encoding) {
-  std::string text = std::string(title) + "\nencoding " + encoding + "\nactions " + std::to_string(population.actions()) +
-                     "\n// " + columns + "\n";
+  std::string text = std::string(title) + "\nencoding " + encoding + "\nactions " +
+                     std::to_string(population.actions()) + "\n// " + columns + "\n";
   for (std::uint32_t rule = 0; rule < population.size(); ++rule) {
     const Numbers n = population.numbers(rule);
     text += population.condition(rule) + " " + std::to_string(population.action(rule));
@@ -108,10 +134,10 @@ std::string format_json(const Population& population, const std::string& encodin
   for (std::uint32_t rule = 0; rule < population.size(); ++rule) {
     const Numbers n = population.numbers(rule);
     text += std::string(rule ? ",\n" : "\n") + "  {\"condition\": \"" + population.condition(rule) +
-            "\", \"action\": " + std::to_string(population.action(rule)) + ", \"prediction\": " + shortest(n.prediction) +
-            ", \"error\": " + shortest(n.error) + ", \"fitness\": " + shortest(n.fitness) +
-            ", \"experience\": " + shortest(n.experience) + ", \"set_size\": " + shortest(n.set_size) +
-            ", \"numerosity\": " + shortest(n.numerosity) + "}";
+            "\", \"action\": " + std::to_string(population.action(rule)) +
+            ", \"prediction\": " + shortest(n.prediction) + ", \"error\": " + shortest(n.error) +
+            ", \"fitness\": " + shortest(n.fitness) + ", \"experience\": " + shortest(n.experience) +
+            ", \"set_size\": " + shortest(n.set_size) + ", \"numerosity\": " + shortest(n.numerosity) + "}";
   }
   return text + "]}\n";
 }
@@ -120,13 +146,14 @@ void read_rules(std::string_view text, const std::string& encoding, const std::s
   Population read(into.bits(), into.actions());
   Lines lines(text, parameter);
   std::string_view line;
-  const auto header = [&](const std::string& expected, const std::string& hint) {
+  const auto header = [&](const std::string& expected) {
     if (!lines.next(line)) lines.ends("\"" + expected + "\"");
-    if (line != expected) lines.fail("\"" + expected + "\"" + hint, line);
+    if (line != expected) lines.fail("\"" + expected + "\"", line);
   };
-  header(std::string(title), "");
-  header("encoding " + encoding, " (the encoding of this observation)");
-  header("actions " + std::to_string(into.actions()), "");
+  header(std::string(title));
+  if (!lines.next(line)) lines.ends("\"encoding\" and the names of its bits");
+  check_encoding(line, encoding, lines);
+  header("actions " + std::to_string(into.actions()));
   while (lines.next(line)) read_rule(line, lines, read);
   into = read;
 }

@@ -34,9 +34,8 @@ void publish(std::span<Population* const> populations, const Parameters& paramet
                           from.numbers(rule),
                           robot});
   }
-  std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
-    return a.numbers.experience > b.numbers.experience;
-  });
+  std::stable_sort(offers.begin(), offers.end(),
+                   [](const Offer& a, const Offer& b) { return a.numbers.experience > b.numbers.experience; });
   for (std::size_t robot = 0; robot < populations.size(); ++robot) {
     Population& to = *populations[robot];
     for (const Offer& offer : offers) {

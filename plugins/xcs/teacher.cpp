@@ -39,8 +39,8 @@ Teacher::Teacher(const wend::Config& config, wend::Slot slot, const Encoder& enc
       string_(encoder.words()) {
   if (!policy_ || !values_) throw wend::unsupported("expected a teacher with " WEND_POLICY " and " WEND_VALUES);
   if (options_.episodes > 0 && !learner_)
-    throw wend::parameter_error("teacher_episodes", "expected 0 for a teacher that cannot learn, found " +
-                                                        std::to_string(options_.episodes));
+    throw wend::parameter_error(
+        "teacher_episodes", "expected 0 for a teacher that cannot learn, found " + std::to_string(options_.episodes));
 }
 
 // One episode of a copy is one episode, however many robots are in it.  While it collects, the teacher is tested.
@@ -66,13 +66,9 @@ std::uint64_t Teacher::learn(const wend::Batch& batch) {
   if (greedy_ || options_.all_strings)
     for (std::size_t i = 0; i < batch.size(); ++i) keep(batch.observations[i]);
   if (!learns_) return batch.size();
-  const wend_batch whole{sizeof whole,
-                         static_cast<std::uint32_t>(batch.size()),
-                         batch.rows.data(),
-                         batch.observations.data(),
-                         batch.actions.data(),
-                         batch.next_observations.data(),
-                         batch.outcomes.data()};
+  const wend_batch whole{
+      sizeof whole,         static_cast<std::uint32_t>(batch.size()), batch.rows.data(),    batch.observations.data(),
+      batch.actions.data(), batch.next_observations.data(),           batch.outcomes.data()};
   return learner_.learn(whole);
 }
 
@@ -98,7 +94,8 @@ void Teacher::seed(Population& population, double limit, double stamp) const {
       }
       const auto count = static_cast<double>(n);
       const double mean = sum / count, variance = std::max(squares / count - mean * mean, 0.0);
-      if (population.find(care.data(), string.data(), a) != Population::none || population.micro() + 1 > limit) continue;
+      if (population.find(care.data(), string.data(), a) != Population::none || population.micro() + 1 > limit)
+        continue;
       Numbers numbers;
       numbers.prediction = mean, numbers.error = std::sqrt(variance + own / count);
       numbers.fitness = options_.fitness, numbers.experience = options_.experience;

@@ -53,7 +53,8 @@ void update(Population& population, const RuleSet& acted, double target, const P
   }
   double accurate = 0;
   for (const std::uint32_t rule : acted) {
-    const double rate = std::max(parameters.beta, 1 / ++population.experience[rule]);  // the mean, until it is as slow as beta
+    const double rate =
+        std::max(parameters.beta, 1 / ++population.experience[rule]);  // the mean, until it is as slow as beta
     const double step = target - population.prediction[rule];
     population.error[rule] += rate * (std::fabs(step) - population.error[rule]);
     const double share = parameters.gradient && fitness > 0 ? population.fitness[rule] / fitness : 1;

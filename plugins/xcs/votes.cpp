@@ -20,7 +20,8 @@ struct Columns {
   return c.set_size[r] * c.numerosity[r] * (poor ? scale : 1.0);
 }
 
-[[gnu::always_inline]] inline void vote_all(const Columns& c, double theta_del, double low, double mean, double* votes) {
+[[gnu::always_inline]] inline void vote_all(const Columns& c, double theta_del, double low, double mean,
+                                            double* votes) {
   std::size_t i = 0;
   for (; i + lanes <= c.n; i += lanes)
     for (std::size_t k = 0; k < lanes; ++k) votes[i + k] = vote(c, i + k, theta_del, low, mean);
@@ -40,7 +41,8 @@ struct Columns {
 __attribute__((target("avx2"))) void vote_avx2(const Columns& c, double t, double low, double mean, double* votes) {
   vote_all(c, t, low, mean, votes);
 }
-__attribute__((target("avx512f"))) void vote_avx512(const Columns& c, double t, double low, double mean, double* votes) {
+__attribute__((target("avx512f"))) void vote_avx512(const Columns& c, double t, double low, double mean,
+                                                    double* votes) {
   vote_all(c, t, low, mean, votes);
 }
 __attribute__((target("avx2"))) void add_avx2(const double* values, std::size_t n, double* sums) {

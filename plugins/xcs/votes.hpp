@@ -7,7 +7,8 @@
 
 namespace xcs {
 
-// Sums run in eight lanes (rule r in lane r % 8), so that a CPU may add them side by side and still get the same result.
+// Sums run in eight lanes (rule r in lane r % 8), so that a CPU may add them side by side and still get the same
+// result.
 class Wheel {
  public:
   // Butz & Wilson's deletion vote: as x num, times mean F / F of a copy where that is below delta x the mean and the

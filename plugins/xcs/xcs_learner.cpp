@@ -70,7 +70,8 @@ std::uint64_t Xcs::learn(const wend::Batch& batch) {
     const std::uint32_t index = batch.rows[i];
     if (!learns(rows_[index])) continue;
     const auto from = batch.observations[i], to = batch.next_observations[i];
-    for (const auto& seen : {from, to}) encoder_.encode(seen, rows_[index].next.data());  // fails before anything changes
+    for (const auto& seen : {from, to})
+      encoder_.encode(seen, rows_[index].next.data());  // fails before anything changes
     Transition transition{{from.begin(), from.end()},
                           {to.begin(), to.end()},
                           action_of(batch.actions[i]),
@@ -96,7 +97,8 @@ void Xcs::replay(std::uint32_t index) {
   course.clear();
 }
 
-// Learns from one transition.  `after` is the return from s' on, or NaN where only PA tells it; it becomes that from s on.
+// Learns from one transition.  `after` is the return from s' on, or NaN where only PA tells it; it becomes that from s
+// on.
 bool Xcs::take(std::uint32_t index, const Transition& transition, double& after) {
   Row& row = rows_[index];
   Base& base = base_of(index);

@@ -38,7 +38,8 @@ class Xcs : public Learner {
   std::function<std::unique_ptr<Discovery>()> make_;
   Predictions predictions_;
   double trace_;  // lambda
-  // [M] of the transition learned from last: in a replay, that of the next one's s'.  Good while no rule has come or gone.
+  // [M] of the transition learned from last: in a replay, that of the next one's s'.  Good while no rule has come or
+  // gone.
   struct Held {
     const Base* base = nullptr;
     std::uint64_t version = 0;  // of the population then

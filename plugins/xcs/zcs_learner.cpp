@@ -114,7 +114,8 @@ void Zcs::cover(Population& population, Row& row) {
   Parameters initial = parameters_;
   if (population.size()) initial.prediction_i = mean;
   while (population.micro() >= parameters_.limit) evict(population, row.random);
-  cover_action(population, row.state.data(), static_cast<std::uint32_t>(row.random.below(actions_)), 1, initial, row.random);
+  cover_action(population, row.state.data(), static_cast<std::uint32_t>(row.random.below(actions_)), 1, initial,
+               row.random);
   population.match(row.state.data(), match_);
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "support/wend.hpp"
 
@@ -11,9 +12,9 @@ using namespace wend::test;
 
 namespace {
 
-bool has_data() {
+std::string data() {
   const char* named = std::getenv("WEND_DATA");
-  return std::filesystem::exists(named ? named : WEND_SOURCE_DIR "/../shared/data");
+  return named ? named : WEND_SOURCE_DIR "/../shared/data";
 }
 
 }  // namespace
@@ -24,11 +25,11 @@ TEST(Experiments, AreValid) {
   for (const auto& entry : std::filesystem::directory_iterator(WEND_SOURCE_DIR "/experiments")) {
     const std::string path = entry.path().string();
     if (!path.ends_with(".json")) continue;
-    if (read_text(path).find("${WEND_DATA}") != std::string::npos && !has_data()) {
+    if (read_text(path).find("${WEND_DATA}") != std::string::npos && !std::filesystem::exists(data())) {
       unseen.push_back(entry.path().filename().string());
       continue;
     }
-    const Outcome outcome = run_wend({"validate", path});
+    const Outcome outcome = run_wend({"validate", path}, {{{"WEND_DATA", data()}}, "", std::chrono::seconds(120)});
     EXPECT_EQ(outcome.exit, 0) << outcome.err;
     ++seen;
   }
@@ -111,6 +112,20 @@ TEST(Explain, SaysWhatAPolicyHasToSay) {
   EXPECT_EQ(ask({"--arm", learner.substr(1)}).err.rfind("error: the experiment has no arm ", 0), 0u);
   EXPECT_EQ(ask({"--arm", learner, "--seed", "99"}).exit, 2);
   EXPECT_EQ(ask({"--arm", learner, "--robot", "3"}).err, "error: --robot: expected less than the world's 1, found 3\n");
-  std::filesystem::remove_all(directory + "/states");
+  for (const auto& entry : std::filesystem::directory_iterator(directory + "/states")) std::ofstream(entry.path()) << "damaged";
   EXPECT_EQ(ask({"--arm", learner}).exit, 5);
+  std::filesystem::remove_all(directory + "/states");
+  const Outcome gone = ask({"--arm", learner});
+  EXPECT_EQ(gone.exit, 5);
+  EXPECT_NE(gone.err.find("expected the state file "), std::string::npos) << gone.err;
+
+  const std::string later_seed = place / "later";
+  json["seeds"] = 3;
+  place.write("small.json", json.dump());
+  ASSERT_EQ(run(run_command(file, later_seed, {"--seeds", "2:3", "--only", "arm=" + learner})).exit, 0);
+  const Outcome first = run_wend({"explain", later_seed, "--arm", learner});
+  EXPECT_EQ(first.exit, 0) << first.err;
+  EXPECT_EQ(first.out, run_wend({"explain", later_seed, "--arm", learner, "--seed", "2"}).out);
+  EXPECT_EQ(run_wend({"explain", later_seed, "--arm", learner, "--seed", "0"}).err,
+            "error: " + later_seed + " has no finished training for arm \"" + learner + "\" with seed 0; run it first\n");
 }

@@ -19,6 +19,19 @@
 namespace cart_pole {
 namespace {
 
+// Throws where the parameter is above the one that limits it.
+void expect_within(const wend::Params& params, const char* parameter, const char* limit) {
+  if (params.number(parameter) > params.number(limit))
+    throw wend::parameter_error(parameter, std::string("expected at most ") + limit + " = " +
+                                               wend::number_text(params.number(limit)) + ", found " +
+                                               wend::number_text(params.number(parameter)));
+}
+
+bool finite(const State& state) noexcept {
+  return std::isfinite(state.theta) && std::isfinite(state.theta_dot) && std::isfinite(state.x) &&
+         std::isfinite(state.x_dot);
+}
+
 struct Copy {
   State state;
   std::uint64_t steps = 0, noise_key = 0;
@@ -46,9 +59,8 @@ class CartPole {
         copies_(config.rows()) {
     if (config.robots() != 1)
       throw wend::unsupported("expected one cart in a world, found " + std::to_string(config.robots()) + " robots");
-    if (start_angle_ > angle_limit_)
-      throw wend::parameter_error("start_angle_deg", "expected at most angle_limit_deg, found more");
-    if (start_position_ > track_) throw wend::parameter_error("start_position", "expected at most track, found more");
+    expect_within(config.params, "start_angle_deg", "angle_limit_deg");
+    expect_within(config.params, "start_position", "track");
     push_.discrete("push", 2);
     seen_.box("theta", "rad").box("theta_dot", "rad/s").box("x", "m").box("x_dot", "m/s");
     told_.box("balanced_steps", "1", 0, static_cast<double>(goal_)).box("balanced_s", "s", 0);
@@ -100,6 +112,10 @@ class CartPole {
     copy.state = euler_ ? advance_euler(plant_, copy.state, force, dt_) : advance_rk4(plant_, copy.state, force, dt_);
     ++copy.steps;
     draw_reading_error(copy);
+    if (!finite(copy.state))
+      throw wend::Error(WEND_E_PARAMETER, "dt",
+                        "step " + std::to_string(copy.steps) +
+                            ": the state is no longer finite; take a smaller dt, or less extreme masses and forces");
     const double angle = std::fabs(copy.state.theta);
     copy.largest_angle = std::max(copy.largest_angle, angle);
     if (!(angle <= angle_limit_ && std::fabs(copy.state.x) <= track_)) return {-1, WEND_TERMINATED | WEND_COLLIDED, 0};

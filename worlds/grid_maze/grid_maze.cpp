@@ -10,6 +10,7 @@
 //   actions 0..7          the same eight directions; into rock the animat stays
 //   food, reward 1000     payoff, the episode ends
 //   optimum               Maze::steps_to_food, by breadth-first search
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -38,6 +39,14 @@ std::uint32_t bits_of(const wend::Params& params) {
   return bits != 0 ? bits : params.text("maze") == "woods2" ? 3 : 2;
 }
 
+std::uint64_t steps_of(const wend::Params& params) {
+  const double limit = params.number("time_limit");
+  if (limit != std::floor(limit))
+    throw wend::parameter_error("time_limit",
+                                "expected a whole number of steps, a second each, found " + wend::number_text(limit));
+  return params.count("time_limit");
+}
+
 struct Animat {
   std::uint32_t cell = 0, start = 0;
   std::uint64_t steps = 0;
@@ -50,7 +59,7 @@ class GridMaze {
       : maze_(maze_of(config.params)),
         bits_(bits_of(config.params)),
         payoff_(config.params.number("payoff")),
-        limit_(config.params.count("time_limit")),
+        limit_(steps_of(config.params)),
         enumerate_(config.params.text("test") == "enumerate"),
         animats_(config.rows()) {
     if (config.robots() != 1)

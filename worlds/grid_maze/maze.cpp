@@ -8,6 +8,11 @@ namespace {
 constexpr int east_of[Maze::directions] = {0, 1, 1, 1, 0, -1, -1, -1};
 constexpr int south_of[Maze::directions] = {-1, -1, 0, 1, 1, 1, 0, -1};
 
+// A byte of a character beyond ASCII is no text by itself.
+std::string shown(char content) {
+  return content >= ' ' && content <= '~' ? "\"" + std::string(1, content) + "\"" : "another character";
+}
+
 wend::Error broken(const std::string& message) {
   return wend::parameter_error("map", message);
 }
@@ -38,8 +43,8 @@ void Maze::read(const std::vector<std::string>& rows) {
       const char content = rows[y][x] == '*' ? '.' : rows[y][x];
       if (std::string_view(".OQFG").find(content) == std::string_view::npos)
         throw wend::parameter_error(wend::Params::element("map", y),
-                                    "expected . or * (empty), O or Q (rock), F or G (food); found \"" +
-                                        std::string(1, content) + "\" in column " + std::to_string(x));
+                                    "expected . or * (empty), O or Q (rock), F or G (food); found " + shown(content) +
+                                        " in column " + std::to_string(x));
       if (content == '.') empty_.push_back(static_cast<std::uint32_t>(cells_.size()));
       any_food = any_food || content == 'F' || content == 'G';
       cells_.push_back(content);

@@ -223,6 +223,15 @@ TEST(Ga, FindsItsWayWithoutWalls) {
   EXPECT_GT(rig.bench.telemetry(WEND_PER_EPISODE)[1], 2 * std::hypot(4, 5));
 }
 
+TEST(Ga, ALongThinPlaneTakesNoMoreMemoryThanAnother) {
+  Rig rig;
+  rig.square = {0, 0, 1e12, 0, 1e12, 0, 1e12, 1e-6, 1e12, 1e-6, 0, 1e-6, 0, 1e-6, 0, 0};  // 10^12 columns at 1 m
+  rig.plane->extra_shapes = {{WEND_SHAPE_SEGMENTS, WEND_WALL, 8, rig.square.data(), nullptr, 0, 0, 0}};
+  ASSERT_TRUE(rig.bench.set("generations", 1).create()) << rig.bench.error();
+  rig.bench.begin(1);
+  EXPECT_EQ(rig.act({0}).size(), 1u);
+}
+
 TEST(Ga, Explains) {
   Rig rig;
   ASSERT_TRUE(rig.bench.create()) << rig.bench.error();

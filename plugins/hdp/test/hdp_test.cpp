@@ -131,6 +131,10 @@ TEST(Hdp, RefusesAStateOfAnotherShapeAndKeepsItsOwn) {
   std::memcpy(&damaged[damaged.size() - sizeof infinite * 8], &infinite, sizeof infinite);
   EXPECT_EQ(wend::testing::error_of([&] { own.load(damaged); }),
             "critic: expected finite weights, found another output weight (unit 0)");
+  damaged = before;
+  std::memcpy(&damaged[damaged.size() - sizeof infinite], &infinite, sizeof infinite);  // lane 7 of 6 units
+  EXPECT_EQ(wend::testing::error_of([&] { own.load(damaged); }),
+            "critic: expected zeros beyond the hidden units, found others");
   EXPECT_EQ(wend::testing::error_of([&] { own.load(before.substr(0, before.size() - 1)); }),
             "the state ends early: 8 values announced");
   EXPECT_EQ(own.save(), before);
@@ -144,6 +148,7 @@ TEST(Hdp, DivergenceSaysWhereAndFailsTheTraining) {
   EXPECT_EQ(error,
             "trial 1, step 1: the critic's hidden weight (unit 0, input 0) is no longer a finite number; lower l_a and "
             "l_c, or set clip, normalise or on_divergence: redraw");
+  EXPECT_EQ(policy.parameter(), "l_c");
 }
 
 TEST(Hdp, DivergenceOfThePaperIsAFailedTrialAndARestart) {
@@ -186,6 +191,23 @@ TEST(Hdp, RefusesWhatItCannotUse) {
   fold.set("fold", 1).set("observe", {"goal.bearing"});
   EXPECT_FALSE(fold.create());
   EXPECT_EQ(fold.error(), "expected the navigation state, found observed columns");
+  Policy ignored;
+  ignored.set("scales", {1, 2});
+  EXPECT_FALSE(ignored.create());
+  EXPECT_EQ(ignored.parameter(), "scales");
+  EXPECT_EQ(ignored.error(), "expected none beside the navigation state, found 2; they divide the columns of observe");
+  Policy hasty;
+  hasty.set("criterion", 10);
+  EXPECT_FALSE(hasty.create());
+  EXPECT_EQ(hasty.parameter(), "stop_after");
+  EXPECT_EQ(hasty.error(), "expected at least criterion = 10, or 0 for never, found 5");
+  EXPECT_TRUE(hasty.set("stop_after", 0).create());
+  Policy quiet;
+  quiet.set("noise", 0);
+  EXPECT_FALSE(quiet.create());
+  EXPECT_EQ(quiet.parameter(), "noise_floor");
+  EXPECT_EQ(quiet.error(), "expected at most noise = 0, found 0.02; lower it too, or raise noise");
+  EXPECT_TRUE(quiet.set("noise_floor", 0).create());
   Policy blind;
   ASSERT_TRUE(blind.create());
   blind.begin(1);

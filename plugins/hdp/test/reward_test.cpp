@@ -42,6 +42,17 @@ TEST(SeekAndAvoid, DecidesBetweenGoalAndObstacle) {
   }
 }
 
+TEST(SeekAndAvoid, RefusesColumnsOfAnotherKind) {
+  const auto refused = [](const char* path, const char* columns) {
+    Reward reward;
+    EXPECT_FALSE(reward.set(path, columns).create());
+    return reward.parameter() + ": " + reward.error();
+  };
+  EXPECT_EQ(refused("range/0", "sonar.kind.*"), "range: column \"sonar.kind.0\": expected the unit m, found 1");
+  EXPECT_EQ(refused("kinds/0", "sonar.range.*"), "kinds: column \"sonar.range.0\": expected the unit 1, found m");
+  EXPECT_EQ(refused("goal", "sonar.range.0"), "goal: column \"sonar.range.0\": expected the unit rad, found m");
+}
+
 TEST(SeekAndAvoid, RefusesRangesWithoutKinds) {
   Reward reward;
   reward.set("range", {"sonar.range.0"});

@@ -168,6 +168,15 @@ TEST(Critic, CautionComparesByQLessTheSpread) {
   for (std::size_t a = 0; a < 2; ++a) EXPECT_NEAR(worth[a], q[a] - 2 * spread[a], 1e-12);
 }
 
+TEST(Critic, RefusesTargetsWhoseSpreadIsNotFinite) {
+  Window window(1, 10, Forget::oldest);
+  for (const double reward : {1e200, -1e200})
+    window.add(std::vector<double>{reward > 0 ? 0.0 : 1.0}, 0, reward, std::vector<double>{0}, true);
+  Critic critic(chain_settings());
+  EXPECT_EQ(wend::testing::error_of([&] { critic.train(window, 1); }),
+            "training: expected finite values Q, found NaN or infinity; lower gamma, caution or the rewards");
+}
+
 TEST(Adviser, NamesTheActionOfItsSurroundings) {
   Window window(1, 100, Forget::oldest);
   for (int i = 0; i < 30; ++i)

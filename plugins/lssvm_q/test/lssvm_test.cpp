@@ -142,7 +142,7 @@ TEST(Lssvm, RefusesWhatIsNotPositiveDefinite) {
   const std::vector<double> x(50, 1.0);  // the same point fifty times
   EXPECT_EQ(wend::testing::error_of([&] { Lssvm(Points(x, 1), 1, 1e300); }),
             "the LS-SVM's system of 50 samples: expected a positive definite K + I/C, found none within rounding; "
-            "lower C");
+            "lower C (advice_C of the classification)");
   EXPECT_EQ(wend::testing::error_of([&] { Lssvm(Points(x, 1), 1, 1e6); }), "");
 }
 

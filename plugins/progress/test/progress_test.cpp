@@ -61,6 +61,15 @@ TEST(Progress, TakesTheCostOfAnAction) {
   EXPECT_EQ(reward.error(), "expected one cost for each discrete action, 3, found 2");
 }
 
+TEST(Progress, RefusesCostsOfActionsThatAreNotCounted) {
+  Reward reward;
+  wend::Columns wheels;
+  wheels.box("speed", "m/s", 0, 1).box("turn_rate", "rad/s", -1, 1);
+  EXPECT_FALSE(reward.action(wheels).set("action_costs", {0.0, 2.0}).create());
+  EXPECT_EQ(reward.parameter(), "action_costs");
+  EXPECT_EQ(reward.error(), "expected none for continuous actions, found 2");
+}
+
 TEST(Progress, LeavesTheWorldsFlagsAlone) {
   Reward reward;
   ASSERT_TRUE(reward.create());
@@ -73,7 +82,7 @@ TEST(Progress, RefusesAPenaltyOfNearnessAboveThatOfACollision) {
   EXPECT_FALSE(reward.set("near", 300).create());
   EXPECT_EQ(reward.parameter(), "near");
   EXPECT_EQ(reward.error(),
-            "expected at most collision = 280.000000, so that a collision is never the lesser evil, found 300.000000");
+            "expected at most collision = 280, so that a collision is never the lesser evil, found 300");
 }
 
 TEST(Progress, RefusesARobotWithoutAGoalSensor) {
@@ -87,8 +96,6 @@ TEST(Progress, RefusesARobotWithoutAGoalSensor) {
 TEST(Progress, RefusesNaN) {
   Reward reward;
   ASSERT_TRUE(reward.create());
-  EXPECT_EQ(error_of([&] {
-              reward.of(2, std::nan(""), 5);
-            }),
+  EXPECT_EQ(error_of([&] { reward.of(2, std::nan(""), 5); }),
             "observation \"sonar.range.1\": expected a finite number, found NaN");
 }

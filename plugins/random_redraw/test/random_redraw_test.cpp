@@ -68,3 +68,23 @@ TEST(RandomRedraw, AStateGoesOn) {
   EXPECT_EQ(other.telemetry(WEND_PER_UPDATE)[1], 1) << "counts its own training";
   EXPECT_EQ(wend::testing::error_of([&] { other.load("short"); }), "the state ends early");
 }
+
+TEST(RandomRedraw, RefusesWhatItCannotUse) {
+  Control hasty;
+  hasty.set("criterion", 4);
+  EXPECT_FALSE(hasty.create());
+  EXPECT_EQ(hasty.parameter(), "stop_after");
+  EXPECT_EQ(hasty.error(), "expected at least criterion = 4, or 0 for never, found 3");
+  Control two;
+  two.set("actions", {0, 1, 3});
+  EXPECT_FALSE(two.create());
+  EXPECT_EQ(two.parameter(), "actions/2");
+  EXPECT_EQ(two.error(), "expected an action 0..2, found 3");
+  Control wide, own;
+  ASSERT_TRUE(wide.set("hidden", 8).create() && own.create());
+  const std::string before = own.save();
+  EXPECT_EQ(wend::testing::error_of([&] { own.load(wide.save()); }),
+            "expected a state of wend.random_redraw 1: 6 inputs, 6 hidden units, found wend.random_redraw 1: 6 inputs, "
+            "8 hidden units");
+  EXPECT_EQ(own.save(), before);
+}

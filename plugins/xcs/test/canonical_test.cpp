@@ -68,7 +68,8 @@ TEST(Covering, LeavesBitsFreeWithItsProbability) {
   double free = 0;
   for (int k = 0; k < 2000; ++k) {
     const std::uint64_t state = random.word();
-    free += 64 - static_cast<double>(population.specified(xcs::cover_action(population, &state, 0, 1, parameters, random)));
+    free +=
+        64 - static_cast<double>(population.specified(xcs::cover_action(population, &state, 0, 1, parameters, random)));
   }
   EXPECT_NEAR(free / 64 / 2000, 0.33, 0.005);
 }
@@ -111,7 +112,8 @@ TEST(Deletion, StopsAtTheLimitAndTakesCopiesOneByOne) {
 
 TEST(Breeding, WaitsUntilTheSetHasRestedLongEnough) {
   xcs::Parameters parameters = parameters_with(100);
-  parameters.theta_ga = 5, parameters.mu = 1, parameters.subsume_offspring = false, parameters.subsume_action_set = false;
+  parameters.theta_ga = 5, parameters.mu = 1, parameters.subsume_offspring = false,
+  parameters.subsume_action_set = false;
   xcs::Canonical operators(parameters, 4, false);
   Population population(4, 2);
   add(population, "####", 1, accurate);
@@ -305,7 +307,8 @@ TEST(Multiplexer, SixBitsAreLearnedInTheMostGeneralRules) {
     EXPECT_LE(population.size(), 60u);
     std::size_t general = 0;
     for (std::uint32_t rule = 0; rule < population.size(); ++rule)
-      general += population.specified(rule) == 3 && (population.care(rule)[0] & 3) == 3 && xcs::may_subsume(population, rule, {});
+      general += population.specified(rule) == 3 && (population.care(rule)[0] & 3) == 3 &&
+                 xcs::may_subsume(population, rule, {});
     EXPECT_GE(general, 14u) << "of 16: both bits of the address, its data bit, and either answer";
   }
 }

@@ -80,7 +80,15 @@ TEST(Encoder, MakesTheSeventeenBitsOfTheNavigationPaper) {
   EXPECT_EQ(encoder.names()[0], "sonar.range.0<0.35");
   EXPECT_EQ(encoder.names()[13], "sonar.range.6<0.9");
   EXPECT_EQ(encoder.names()[16], "goal.bearing.g2");
-  EXPECT_EQ(bits(encoder, {0.1, 0.35, 0.5, 0.9, 3, 0.34, 2, 5, 0, 0, 0}), "11" "01" "01" "00" "00" "11" "00" "000");
+  EXPECT_EQ(bits(encoder, {0.1, 0.35, 0.5, 0.9, 3, 0.34, 2, 5, 0, 0, 0}),
+            "11"
+            "01"
+            "01"
+            "00"
+            "00"
+            "11"
+            "00"
+            "000");
 }
 
 TEST(Encoder, MakesTheTenBitVariant) {
@@ -149,10 +157,16 @@ TEST(Encoder, RefusesWhatCannotBeEncoded) {
 TEST(Encoder, RefusesReadingsThatAreNoNumbersOrOutOfRange) {
   Robot robot;
   const xcs::Encoder encoder = robot.sectors(0, 8).part(1, "cell.*", "binary").make();
-  EXPECT_EQ(error_of([&] { bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, std::nan(""), 0, 0}); }),
+  EXPECT_EQ(error_of([&] {
+              bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, std::nan(""), 0, 0});
+            }),
             "observation \"goal.bearing\": expected a finite number, found NaN");
-  EXPECT_EQ(error_of([&] { bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, 0, 3, 0}); }),
+  EXPECT_EQ(error_of([&] {
+              bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, 0, 3, 0});
+            }),
             "observation \"cell.0\": expected a whole number 0..2, found 3");
-  EXPECT_EQ(error_of([&] { bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, 0, 0.5, 0}); }),
+  EXPECT_EQ(error_of([&] {
+              bits(encoder, {1, 1, 1, 1, 1, 1, 1, 5, 0, 0.5, 0});
+            }),
             "observation \"cell.0\": expected a whole number 0..2, found 0.5");
 }

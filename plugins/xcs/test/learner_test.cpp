@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <sstream>
 
 #include "rig.hpp"
@@ -20,7 +21,8 @@ void teach(XcsRig& rig, int trials) {
     std::vector<double> state, rewards, actions;
     for (std::uint32_t k = 0; k < 4 * rig.rows(); ++k) state.push_back(static_cast<double>(random.below(2)));
     actions = rig.act(state);
-    for (std::uint32_t r = 0; r < rig.rows(); ++r) rewards.push_back((state[4 * r] == 1) == (actions[r] == 0) ? 1000 : 0);
+    for (std::uint32_t r = 0; r < rig.rows(); ++r)
+      rewards.push_back((state[4 * r] == 1) == (actions[r] == 0) ? 1000 : 0);
     EXPECT_EQ(rig.learn(state, actions, rewards, state, WEND_TERMINATED), rig.rows());
   }
 }
@@ -135,12 +137,19 @@ TEST(XcsLearner, ABrokenStateIsRefusedAndNothingIsLost) {
     ASSERT_EQ(rig.status(), WEND_E_STATE) << cut;
   }
   EXPECT_EQ(error_of([&] { rig.load(saved + "x"); }), "the state has 1 bytes too many");
+  std::string broken = saved;
+  const double time = 100, never = NAN;  // a hundred explored steps
+  const std::size_t at = broken.rfind(std::string(reinterpret_cast<const char*>(&time), sizeof time));
+  ASSERT_NE(at, std::string::npos);
+  std::memcpy(&broken[at], &never, sizeof never);
+  EXPECT_EQ(error_of([&] { rig.load(broken); }), "expected a finite time and number of generations, found others");
   EXPECT_EQ(rig.save(), saved);
 
   XcsRig wider(5), more(4, 3), small;
   ASSERT_TRUE(wider.create() && more.create() && small.set("N", 20).create());
   EXPECT_EQ(error_of([&] { wider.load(saved); }),
-            "expected a state of wend.xcs 1: 2 actions, bit.0/2;bit.1/2;bit.2/2;bit.3/2;bit.4/2;, found wend.xcs 1: 2 actions, "
+            "expected a state of wend.xcs 1: 2 actions, bit.0/2;bit.1/2;bit.2/2;bit.3/2;bit.4/2;, found wend.xcs 1: 2 "
+            "actions, "
             "bit.0/2;bit.1/2;bit.2/2;bit.3/2;");
   EXPECT_EQ(error_of([&] { more.load(saved); }),
             "expected a state of wend.xcs 1: 3 actions, bit.0/2;bit.1/2;bit.2/2;bit.3/2;, found wend.xcs 1: 2 actions, "
@@ -187,7 +196,8 @@ TEST(XcsLearner, ExplainsADecisionAndItsTextSeedsAnother) {
   rig.begin(1);
   const double action = rig.act({1, 0, 1, 0})[0];
   const std::string text = rig.explain();
-  EXPECT_NE(text.find("// state 1010: action " + std::to_string(static_cast<int>(action)) + ", predicted "), std::string::npos)
+  EXPECT_NE(text.find("// state 1010: action " + std::to_string(static_cast<int>(action)) + ", predicted "),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("\n//   1### -> 0  p 1000 error "), std::string::npos) << text;
 
@@ -202,7 +212,10 @@ TEST(XcsLearner, ExplainsADecisionAndItsTextSeedsAnother) {
   seeded.set("explain", "json");
   ASSERT_TRUE(seeded.create()) << seeded.error();
   const std::string json = seeded.explain();
-  EXPECT_EQ(json.rfind("{\"format\": \"wend rules 1\", \"encoding\": \"bit.0/2;bit.1/2;bit.2/2;bit.3/2;\", \"actions\": 2, \"rules\": [\n", 0), 0u)
+  EXPECT_EQ(json.rfind("{\"format\": \"wend rules 1\", \"encoding\": \"bit.0/2;bit.1/2;bit.2/2;bit.3/2;\", "
+                       "\"actions\": 2, \"rules\": [\n",
+                       0),
+            0u)
       << json;
   EXPECT_NE(json.find("{\"condition\": \"1###\", \"action\": 0, \"prediction\": 1000, \"error\": "), std::string::npos);
 }

@@ -1,5 +1,5 @@
-// The Boolean multiplexer, in process: the first k bits, read as a number (the first one its highest bit), choose one of
-// the 2^k bits that follow.
+// The Boolean multiplexer, in process: the first k bits, read as a number (the first one its highest bit), choose one
+// of the 2^k bits that follow.
 #pragma once
 #include <cstdint>
 #include <wend/random.hpp>

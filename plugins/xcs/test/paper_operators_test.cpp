@@ -205,12 +205,12 @@ TEST(Merging, GoesOnUntilNoPairIsLeft) {
 TEST(Merging, LeavesRulesApartThatMustNotMerge) {
   Bench bench;
   bench.options.merge_experience = 20;
-  bench.add("0100", 1, 50), bench.add("0110", 1, 56);       // predictions too far apart
-  bench.add("1000", 1, 50), bench.add("1010", 2, 50);       // different actions
-  bench.add("0000", 0, 50), bench.add("0011", 0, 50);       // two bits
-  bench.add("1100", 0, 50), bench.add("110#", 0, 50);       // specified in one only
-  bench.add("1101", 2, 50), bench.add("1111", 2, 50, 19);   // too little experience
-  bench.add("0111", 2, -90), bench.add("0101", 2, -90);     // weak
+  bench.add("0100", 1, 50), bench.add("0110", 1, 56);      // predictions too far apart
+  bench.add("1000", 1, 50), bench.add("1010", 2, 50);      // different actions
+  bench.add("0000", 0, 50), bench.add("0011", 0, 50);      // two bits
+  bench.add("1100", 0, 50), bench.add("110#", 0, 50);      // specified in one only
+  bench.add("1101", 2, 50), bench.add("1111", 2, 50, 19);  // too little experience
+  bench.add("0111", 2, -90), bench.add("0101", 2, -90);    // weak
   const std::size_t n = bench.population.size();
   EXPECT_EQ(xcs::merge(bench.population, bench.options), 0u);
   EXPECT_EQ(bench.population.size(), n);

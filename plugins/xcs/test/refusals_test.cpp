@@ -26,6 +26,12 @@ TEST(Refusals, APopulationSmallerThanTheActionSet) {
   expect_refused(rig, "N", "expected room for a rule of each of the 5 actions, found a population of 4");
 }
 
+TEST(Refusals, APopulationThatIsTooSmallForLongerConditionsOnly) {
+  XcsRig rig(4, 5);
+  rig.set("by_bits/0/bits", 3).set("by_bits/0/N", 4);
+  expect_refused(rig, "by_bits/0/N", "expected room for a rule of each of the 5 actions, found a population of 4");
+}
+
 TEST(Refusals, MoreActionsToCoverThanThereAre) {
   XcsRig rig;
   rig.set("theta_mna", 3);
@@ -37,7 +43,8 @@ TEST(Refusals, AnActionSpaceThatIsNotDiscrete) {
   wend::Columns speed;
   speed.box("speed", "m/s", 0, 1);
   rig.action(speed);
-  expect_refused(rig, "", "expected one column of discrete actions, found 1 columns that are not discrete");
+  expect_refused(
+      rig, "", "expected one column of discrete actions, found 1 that is not discrete; give the robot an action table");
 }
 
 TEST(Refusals, ObservationsThatCannotBeEncoded) {
@@ -45,10 +52,17 @@ TEST(Refusals, ObservationsThatCannotBeEncoded) {
   ASSERT_TRUE(rig.create()) << rig.error();
   rig.begin(1, WEND_TRAIN_EXPLORE);
   const std::string before = rig.save();
-  EXPECT_EQ(error_of([&] { rig.act({0, 0.5, 0, 0}); }), "observation \"bit.1\": expected a whole number 0..1, found 0.5");
-  EXPECT_EQ(error_of([&] { rig.act({0, 0, std::numeric_limits<double>::quiet_NaN(), 0}); }),
+  EXPECT_EQ(error_of([&] {
+              rig.act({0, 0.5, 0, 0});
+            }),
+            "observation \"bit.1\": expected a whole number 0..1, found 0.5");
+  EXPECT_EQ(error_of([&] {
+              rig.act({0, 0, std::numeric_limits<double>::quiet_NaN(), 0});
+            }),
             "observation \"bit.2\": expected a finite number, found NaN");
-  EXPECT_EQ(error_of([&] { rig.learn({2, 0, 0, 0}, {0}, {1}, {0, 0, 0, 0}, 0); }),
+  EXPECT_EQ(error_of([&] {
+              rig.learn({2, 0, 0, 0}, {0}, {1}, {0, 0, 0, 0}, 0);
+            }),
             "observation \"bit.0\": expected a whole number 0..1, found 2");
   EXPECT_EQ(rig.save(), before);
 }
@@ -61,8 +75,13 @@ TEST(Refusals, ActionsAndRewardsThatAreNone) {
     ASSERT_TRUE(rig.create()) << rig.error();
     rig.begin(1, WEND_TRAIN_EXPLORE);
     const auto action = rig.act({0, 0, 0, 0});
-    EXPECT_EQ(error_of([&] { rig.learn({0, 0, 0, 0}, {2}, {1}, {0, 0, 0, 0}, 0); }), "an action: expected 0..1, found 2");
-    EXPECT_EQ(error_of([&] { rig.learn({0, 0, 0, 0}, action, {std::numeric_limits<double>::infinity()}, {0, 0, 0, 0}, 0); }),
+    EXPECT_EQ(error_of([&] {
+                rig.learn({0, 0, 0, 0}, {2}, {1}, {0, 0, 0, 0}, 0);
+              }),
+              "an action: expected 0..1, found 2");
+    EXPECT_EQ(error_of([&] {
+                rig.learn({0, 0, 0, 0}, action, {std::numeric_limits<double>::infinity()}, {0, 0, 0, 0}, 0);
+              }),
               "a reward: expected a finite number, found inf");
   }
 }
@@ -79,9 +98,20 @@ TEST(Refusals, RuleFilesThatDoNotFit) {
   EXPECT_EQ(told(""), "expected \"wend rules 1\", found the end of the file");
   EXPECT_EQ(told("rules\n"), "line 1: expected \"wend rules 1\", found \"rules\"");
   EXPECT_EQ(told("wend rules 1\nencoding sonar<0.5;\nactions 2\n"),
-            "line 2: expected \"encoding bit.0/2;bit.1/2;\" (the encoding of this observation), found \"encoding sonar<0.5;\"");
-  EXPECT_EQ(told("wend rules 1\nencoding bit.0/2;bit.1/2;\nactions 3\n"), "line 3: expected \"actions 2\", found \"actions 3\"");
-  EXPECT_EQ(told(head + "01# 0 1 0 0.5 1 1 1\n"), "line 4: expected a condition of 2 characters 0, 1 or #, found \"01#\"");
+            "line 2: expected the encoding of this observation, with bit 0 \"bit.0/2\", found \"sonar<0.5\"");
+  EXPECT_EQ(told("wend rules 1\nencoding bit.0/2;\nactions 2\n"),
+            "line 2: expected the encoding of this observation, with bit 1 \"bit.1/2\", found \"\"");
+  EXPECT_EQ(told("wend rules 1\nencoding bit.0/2;bit.1/2;bit.2/2;\nactions 2\n"),
+            "line 2: expected the encoding of this observation, of 2 bits, found \"bit.2/2\"");
+  EXPECT_EQ(told("wend rules 1\nactions 2\n"),
+            "line 2: expected \"encoding\" and the names of its bits, found \"actions 2\"");
+  EXPECT_EQ(told("wend rules 1\n"), "expected \"encoding\" and the names of its bits, found the end of the file");
+  EXPECT_EQ(told(std::string("\xff\xfe\0w\0e\0", 6)), "line 1: expected \"wend rules 1\", found \"???w?e\"");
+  EXPECT_EQ(told(std::string(70, 'x')), "line 1: expected \"wend rules 1\", found \"" + std::string(60, 'x') + "...\"");
+  EXPECT_EQ(told("wend rules 1\nencoding bit.0/2;bit.1/2;\nactions 3\n"),
+            "line 3: expected \"actions 2\", found \"actions 3\"");
+  EXPECT_EQ(told(head + "01# 0 1 0 0.5 1 1 1\n"),
+            "line 4: expected a condition of 2 characters 0, 1 or #, found \"01#\"");
   EXPECT_EQ(told(head + "// a remark\n\n0x 0 1 0 0.5 1 1 1\n"),
             "line 6: expected a condition of 2 characters 0, 1 or #, found \"0x\"");
   EXPECT_EQ(told(head + "01 2 1 0 0.5 1 1 1\n"), "line 4: expected an action 0..1, found \"2\"");
@@ -107,8 +137,9 @@ TEST(RuleText, ReadsWhatItWrote) {
   xcs::Population population(70, 3), read(70, 3);
   for (int r = 0; r < 200; ++r) {
     const std::uint64_t care[2] = {random.word(), random.word() & 63}, value[2] = {random.word(), random.word() & 63};
-    population.add(care, value, static_cast<std::uint32_t>(random.below(3)),
-                   {random.normal(), random.uniform(), random.uniform(), 1e-300, 1.0 / 3, 5, double(1 + random.below(9)), 0});
+    population.add(
+        care, value, static_cast<std::uint32_t>(random.below(3)),
+        {random.normal(), random.uniform(), random.uniform(), 1e-300, 1.0 / 3, 5, double(1 + random.below(9)), 0});
   }
   xcs::read_rules(xcs::format_rules(population, "any code"), "any code", "rules", read);
   ASSERT_EQ(read.size(), 200u);

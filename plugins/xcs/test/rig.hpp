@@ -1,11 +1,11 @@
 // The learners on a bench: a robot with a few bits and a few actions, with the manifest's defaults.
 #pragma once
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 #include <wend/testing.hpp>
 
 #include "xcs_learner.hpp"
@@ -29,13 +29,14 @@ struct Rig : Bench {
     set("rule_base", "shared").set("publish_every", 1000).set("explain", "text").set("series_every", 0);
   }
 
-  std::uint64_t learn(const std::vector<double>& from, const std::vector<double>& action, const std::vector<double>& rewards,
-                      const std::vector<double>& to, std::uint32_t flags) {
+  std::uint64_t learn(const std::vector<double>& from, const std::vector<double>& action,
+                      const std::vector<double>& rewards, const std::vector<double>& to, std::uint32_t flags) {
     const auto rows = all_rows();
     std::vector<wend_outcome> outcomes;
     for (const double reward : rewards) outcomes.push_back({reward, flags, 0});
-    const wend_batch batch{sizeof batch,   static_cast<std::uint32_t>(rewards.size()), rows.data(),    from.data(),
-                           action.data(), to.data(),                                   outcomes.data()};
+    const wend_batch batch{
+        sizeof batch,   static_cast<std::uint32_t>(rewards.size()), rows.data(), from.data(), action.data(), to.data(),
+        outcomes.data()};
     std::uint64_t used = 0;
     if (learner()->learn(ref().self, &batch, &used) != WEND_OK) throw std::runtime_error(error());
     return used;
@@ -56,14 +57,16 @@ struct Rig : Bench {
 
 struct XcsRig : Rig {
   explicit XcsRig(std::uint32_t bits = 4, std::uint32_t actions = 2, const char* id = "wend.xcs")
-      : Rig(id == std::string("wend.lcs") ? wend::component<Lcs>("wend.lcs") : wend::component<Xcs>("wend.xcs"), bits, actions) {
+      : Rig(id == std::string("wend.lcs") ? wend::component<Lcs>("wend.lcs") : wend::component<Xcs>("wend.xcs"), bits,
+            actions) {
     set("operators", "canonical").set("compact", 0).set("selection", "random").set("exploration", 1);
     set("exploration_least", 1).set("exploration_episodes", 1000).set("trace", 0);
   }
 };
 
 struct ZcsRig : Rig {
-  explicit ZcsRig(std::uint32_t bits = 4, std::uint32_t actions = 2) : Rig(wend::component<Zcs>("wend.zcs"), bits, actions) {
+  explicit ZcsRig(std::uint32_t bits = 4, std::uint32_t actions = 2)
+      : Rig(wend::component<Zcs>("wend.zcs"), bits, actions) {
     set("tau", 0.1).set("phi", 0.5).set("rho", 0.0).set("test_selection", "greedy").set("prediction_I", 20);
   }
 };
@@ -71,7 +74,8 @@ struct ZcsRig : Rig {
 // A file that is gone with the test.
 struct TemporaryFile {
   std::string path;
-  explicit TemporaryFile(const std::string& text) : path(::testing::TempDir() + "wend_rules_" + std::to_string(::getpid())) {
+  explicit TemporaryFile(const std::string& text)
+      : path(::testing::TempDir() + "wend_rules_" + std::to_string(::getpid())) {
     std::ofstream(path) << text;
   }
   ~TemporaryFile() { std::remove(path.c_str()); }

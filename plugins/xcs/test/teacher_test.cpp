@@ -52,20 +52,60 @@ struct Rig {
     learner.observation(columns).action(table).slot("teacher", teacher.ref());
     learner.set("encoding/0/columns/0", "sonar.range.*").set("encoding/0/as", "thermometer");
     learner.set("encoding/0/thresholds/0", 1.0);
-    for (const auto& [path, value] : std::initializer_list<std::pair<const char*, double>>{
-             {"N", 100}, {"P_hash", 0}, {"beta", 0.2}, {"alpha", 0.1}, {"epsilon_0", 10}, {"nu", 5}, {"gamma", 0.9},
-             {"theta_GA", 1e9}, {"chi", 0.8}, {"mu", 0.04}, {"theta_del", 20}, {"delta", 0.1}, {"theta_sub", 20},
-             {"theta_mna", 0}, {"prediction_I", 0}, {"error_I", 0}, {"fitness_I", 0.01}, {"fitness_reduction", 0.1},
-             {"tournament", 0}, {"subsume_offspring", 0}, {"subsume_action_set", 0}, {"gradient", 0}, {"compact", 0},
-             {"greedy_updates", 1}, {"exploration", 0}, {"publish_every", 1000}, {"series_every", 0}, {"trace", 0},
-             {"safety_distance", 0}, {"merge_every", 0}, {"merge_tolerance", 0}, {"merge_experience", 0},
-             {"initial_rules", 0}, {"specialise", 0}, {"beta_least", 1}, {"inherited", 0}, {"seeded_beta", 0},
-             {"seeded_experience", 0}, {"teacher_episodes", 2}, {"teacher_collect", 1}, {"teacher_observations", 4},
-             {"seed_experience", 20}, {"seed_fitness", 0.5}, {"seed_merge", 0}})
+    for (const auto& [path, value] : std::initializer_list<std::pair<const char*, double>>{{"N", 100},
+                                                                                           {"P_hash", 0},
+                                                                                           {"beta", 0.2},
+                                                                                           {"alpha", 0.1},
+                                                                                           {"epsilon_0", 10},
+                                                                                           {"nu", 5},
+                                                                                           {"gamma", 0.9},
+                                                                                           {"theta_GA", 1e9},
+                                                                                           {"chi", 0.8},
+                                                                                           {"mu", 0.04},
+                                                                                           {"theta_del", 20},
+                                                                                           {"delta", 0.1},
+                                                                                           {"theta_sub", 20},
+                                                                                           {"theta_mna", 0},
+                                                                                           {"prediction_I", 0},
+                                                                                           {"error_I", 0},
+                                                                                           {"fitness_I", 0.01},
+                                                                                           {"fitness_reduction", 0.1},
+                                                                                           {"tournament", 0},
+                                                                                           {"subsume_offspring", 0},
+                                                                                           {"subsume_action_set", 0},
+                                                                                           {"gradient", 0},
+                                                                                           {"compact", 0},
+                                                                                           {"greedy_updates", 1},
+                                                                                           {"exploration", 0},
+                                                                                           {"publish_every", 1000},
+                                                                                           {"series_every", 0},
+                                                                                           {"trace", 0},
+                                                                                           {"safety_distance", 0},
+                                                                                           {"merge_every", 0},
+                                                                                           {"merge_tolerance", 0},
+                                                                                           {"merge_experience", 0},
+                                                                                           {"initial_rules", 0},
+                                                                                           {"specialise", 0},
+                                                                                           {"beta_least", 1},
+                                                                                           {"inherited", 0},
+                                                                                           {"seeded_beta", 0},
+                                                                                           {"seeded_experience", 0},
+                                                                                           {"teacher_episodes", 2},
+                                                                                           {"teacher_collect", 1},
+                                                                                           {"teacher_observations", 4},
+                                                                                           {"seed_experience", 20},
+                                                                                           {"seed_fitness", 0.5},
+                                                                                           {"seed_merge", 0}})
       learner.set(path, value);
-    for (const auto& [path, value] : std::initializer_list<std::pair<const char*, const char*>>{
-             {"operators", "paper"}, {"fitness", "accuracy"}, {"crossover", "two_point"}, {"unmatched", "nearest"},
-             {"selection", "random"}, {"rule_base", "shared"}, {"explain", "text"}, {"teacher_strings", "greedy"}})
+    for (const auto& [path, value] :
+         std::initializer_list<std::pair<const char*, const char*>>{{"operators", "paper"},
+                                                                    {"fitness", "accuracy"},
+                                                                    {"crossover", "two_point"},
+                                                                    {"unmatched", "nearest"},
+                                                                    {"selection", "random"},
+                                                                    {"rule_base", "shared"},
+                                                                    {"explain", "text"},
+                                                                    {"teacher_strings", "greedy"}})
       learner.set(path, value);
   }
   void create() { ASSERT_TRUE(learner.create()) << learner.error(); }
@@ -120,7 +160,8 @@ TEST(Teacher, LeavesRulesWithItsMeanValueAndTheSpread) {
   for (const double a : {2.0, 2.0, 0.2, 0.4, 0.6}) rig.episode(a, 2);
   EXPECT_EQ(rig.learner.table<wend_learner>(WEND_LEARNER)->finish(rig.learner.ref().self), WEND_OK);
   const std::string rules = rig.learner.explain();
-  // Three observations of the string 10: q = 100 x 0.4 + 20 + a on average; spread sqrt(100^2 0.08 / 3 + 4^2) = 16.8127.
+  // Three observations of the string 10: q = 100 x 0.4 + 20 + a on average; spread sqrt(100^2 0.08 / 3 + 4^2)
+  // = 16.8127.
   EXPECT_NE(rules.find("10"), std::string::npos) << rules;
   for (const char* prediction : {"60", "61", "62"}) EXPECT_NE(rules.find(prediction), std::string::npos) << rules;
   EXPECT_NE(rules.find("16.81"), std::string::npos) << rules;
@@ -161,7 +202,8 @@ TEST(Teacher, AStateKeepsTheStringsThatWait) {
   second.learner.load(state);
   second.episode(0.5, 2);
   EXPECT_EQ(second.rules(), 3);
-  EXPECT_EQ(error_of([&] { second.learner.load(state.substr(0, state.size() - 3)); }), "the state ends early: 2 values announced");
+  EXPECT_EQ(error_of([&] { second.learner.load(state.substr(0, state.size() - 3)); }),
+            "the state ends early: 2 values announced");
   EXPECT_EQ(second.rules(), 3) << "nothing is lost";
 }
 

@@ -38,7 +38,9 @@ TEST(Predictions, AreMeansWeightedByFitness) {
   EXPECT_EQ(xcs::best_action(predictions.array), 2u) << "none";
 }
 
-TEST(Predictions, TheFirstOfEqualsIsBest) { EXPECT_EQ(xcs::best_action({1, 3, 3}), 1u); }
+TEST(Predictions, TheFirstOfEqualsIsBest) {
+  EXPECT_EQ(xcs::best_action({1, 3, 3}), 1u);
+}
 
 TEST(Update, TakesTheMeanUntilItIsAsSlowAsBeta) {
   Small small;
@@ -64,8 +66,8 @@ TEST(Update, TakesTheMeanUntilItIsAsSlowAsBeta) {
 TEST(Update, SharesFitnessByAccuracyAndNumerosity) {
   Small small;
   xcs::Parameters parameters;
-  small.add(0, {0, 5, 0.5, 1000, 1, 0, 2});    // accurate, twice
-  small.add(0, {0, 20, 0.5, 1000, 1, 0, 1});   // 0.1 (10 / 16)^5 after the update
+  small.add(0, {0, 5, 0.5, 1000, 1, 0, 2});   // accurate, twice
+  small.add(0, {0, 20, 0.5, 1000, 1, 0, 1});  // 0.1 (10 / 16)^5 after the update
   update(small.population, {0, 1}, 0, parameters);
   const double second = 0.1 * std::pow(10.0 / 16, 5);
   EXPECT_EQ(small.population.error[0], 4);
@@ -98,9 +100,9 @@ TEST(Accuracy, FallsAsAPowerBeyondItsThreshold) {
 // as x num, and mean F / F a copy as often where an experienced rule is unfit.
 TEST(Votes, AreDrawnInProportion) {
   Small small;
-  small.add(0, {0, 0, 0.5, 100, 4, 0, 1});     // vote 4
-  small.add(0, {0, 0, 0.004, 100, 2, 0, 2});   // 0.002 a copy < 0.1 of the mean: 4 x mean / 0.002
-  small.add(0, {0, 0, 0.0, 10, 3, 0, 1});      // too young: 3
+  small.add(0, {0, 0, 0.5, 100, 4, 0, 1});    // vote 4
+  small.add(0, {0, 0, 0.004, 100, 2, 0, 2});  // 0.002 a copy < 0.1 of the mean: 4 x mean / 0.002
+  small.add(0, {0, 0, 0.0, 10, 3, 0, 1});     // too young: 3
   const double mean = 0.504 / 4, votes[3] = {4, 4 * mean / 0.002, 3}, total = votes[0] + votes[1] + votes[2];
   for (const xcs::Kernel kernel : {xcs::Kernel::kScalar, xcs::best_kernel()}) {
     small.population.use(kernel);
@@ -119,7 +121,8 @@ TEST(Votes, AreTheSameWithEveryKernel) {
   for (const int n : {1, 7, 8, 9, 100, 1003}) {
     Small small;
     for (int r = 0; r < n; ++r)
-      small.add(0, {0, 0, random.uniform(), random.uniform(0, 40), random.uniform(1, 50), 0, double(1 + random.below(9))});
+      small.add(0,
+                {0, 0, random.uniform(), random.uniform(0, 40), random.uniform(1, 50), 0, double(1 + random.below(9))});
     std::vector<std::uint32_t> first;
     for (const xcs::Kernel kernel : {xcs::Kernel::kScalar, xcs::Kernel::kAvx2, xcs::Kernel::kAvx512}) {
       if (!xcs::has_kernel(kernel)) continue;

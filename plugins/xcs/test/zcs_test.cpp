@@ -18,7 +18,9 @@ double strength(Rig& rig, const std::string& rule) {
   return 0;
 }
 
-const std::string two_states = "wend rules 1\nencoding bit.0/2;\nactions 2\n0 0 10 0 0 0 1 1\n0 1 30 0 0 0 1 1\n1 0 50 0 0 0 1 1\n1 1 70 0 0 0 1 1\n";
+const std::string two_states =
+    "wend rules 1\nencoding bit.0/2;\nactions 2\n0 0 10 0 0 0 1 1\n0 1 30 0 0 0 1 1\n1 0 50 0 0 0 1 1\n1 1 70 0 0 0 1 "
+    "1\n";
 
 }  // namespace
 

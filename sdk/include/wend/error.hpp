@@ -2,6 +2,7 @@
 #pragma once
 #include <wend/abi.h>
 
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -39,6 +40,13 @@ struct Failed {
 
 inline void check(wend_status status) {
   if (status != WEND_OK) throw Failed{status};
+}
+
+// A number as a message tells it: "300", "0.25", "1e-09".
+inline std::string number_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.12g", number);
+  return text;
 }
 
 // Runs `body` and turns whatever it throws into a status.

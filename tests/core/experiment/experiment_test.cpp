@@ -322,6 +322,36 @@ TEST_F(ExperimentFile, HandsOverTheStateOfAnotherArm) {
   }
 }
 
+// Whatever an arm starts from, by way of others too, was neither chosen by what the arm is tested on nor is it a training
+// that no test of its own arm shows.
+TEST_F(ExperimentFile, RefusesAStateThatDoesNotFitTheTestedWorlds) {
+  Json json = small_experiment();
+  json["arms"][1]["worlds"] = {"open"};
+  for (const char* id : {"more", "frozen"}) {
+    json["arms"].push_back(json["arms"][1]);
+    json["arms"].back()["id"] = id;
+  }
+  Json& source = json["arms"][1]["train"];
+  json["arms"][2]["train"] = {{"worlds", {"open:train"}}, {"samples", 9}, {"state", {{"arm", "learns"}}}};
+  json["arms"][3]["train"] = {{"state", {{"arm", "more"}}}};
+  EXPECT_TRUE(load(json)) << complaints_;
+  json["arms"][3]["worlds"] = {"tight"};
+  EXPECT_FALSE(load(json));
+  EXPECT_NE(complaints_.find("arm \"frozen\" starts from arm \"learns\", which is not trained for world \"tight\""), std::string::npos)
+      << complaints_;
+  source["worlds"] = {"open:train"};
+  EXPECT_TRUE(load(json)) << complaints_;
+  source["keep"] = "best";
+  EXPECT_TRUE(load(json)) << complaints_;
+  source["evaluate"]["worlds"] = {"tight:train"};
+  EXPECT_TRUE(load(json)) << complaints_;
+  source["evaluate"]["worlds"] = {"tight"};
+  EXPECT_FALSE(load(json));
+  EXPECT_NE(complaints_.find("arm \"frozen\" starts from arm \"learns\", whose best snapshot is chosen in world \"tight\", which is tested"),
+            std::string::npos)
+      << complaints_;
+}
+
 TEST_F(ExperimentFile, TracesTheTrainingsOfTheFirstSeeds) {
   Json json = small_experiment();
   json["record"] = {{"training", 7}, {"seeds", 2}};

@@ -125,6 +125,8 @@ TEST(StepSeries, EpisodesFollowEachOtherWithAGap) {
   EXPECT_TRUE(std::isnan(points[steps].x));
   EXPECT_EQ(points[steps + 1].x, trace.time.back() + trace.time[0]);
   EXPECT_TRUE(step_series({&trace}, "J").empty());
+  std::fill(trace.reward.begin(), trace.reward.end(), std::nan(""));
+  EXPECT_TRUE(step_series({&trace, &trace}, "reward").empty());
 }
 
 TEST(Figures, OptionsChooseWorldsAndMaps) {

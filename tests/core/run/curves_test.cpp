@@ -64,10 +64,20 @@ TEST(SeriesBook, IsTheMeanOverAllUses) {
   EXPECT_TRUE(book.take().empty());
 }
 
+// Episodes side by side plan in another order than one after the other.
+TEST(SeriesBook, TheOrderOfTheUsesIsOfNoConsequence) {
+  SeriesBook book;
+  for (int run = 0; run < 150; ++run) book.add("best", "generation", 0, 0.1 * run);
+  const auto points = book.take()[0].points;
+  for (int run = 150; run-- > 0;) book.add("best", "generation", 0, 0.1 * run);
+  EXPECT_EQ(book.take()[0].points, points);
+}
+
 TEST(SeriesBook, LeavesOutWhatIsTooMuch) {
   SeriesBook book;
-  for (int run = 0; run < 150; ++run) book.add("best", "generation", 0, run < 100 ? 1 : 1000);
-  EXPECT_EQ(book.take()[0].points, (std::vector<std::pair<double, double>>{{0, 1}}));
+  for (int run = 0; run < 150; ++run) book.add("best", "generation", 0, run == 0 ? 100 : 0);
+  const double mean = book.take()[0].points.at(0).second;
+  EXPECT_TRUE(mean == 0 || mean == 1) << mean;  // of 100 uses
   for (int i = 0; i < 3000; ++i) book.add("best", "generation", i, i);
   EXPECT_EQ(book.take()[0].points.size(), 2000u);
 }

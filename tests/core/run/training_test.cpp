@@ -129,6 +129,11 @@ TEST_F(TrainingTest, VisitsItsWorldsInTurn) {
   const Curve* steps = curve(result, "episode_steps", "train_episodes");
   ASSERT_NE(steps, nullptr);
   EXPECT_EQ(steps->points, (std::vector<std::pair<double, double>>{{1, 4}, {2, 7}, {3, 4}, {4, 7}, {5, 4}}));
+  training.greedy_every = 1;  // episodes without exploration between do not change the turns
+  const TrainingResult shown = run(training);
+  EXPECT_EQ(curve(shown, "episode_steps", "train_episodes")->points, steps->points);
+  EXPECT_EQ(curve(shown, "greedy_episode_steps", "train_episodes")->points,
+            (std::vector<std::pair<double, double>>{{1, 4}, {2, 7}, {3, 4}, {4, 7}}));
   training.worlds[1] = counter({{"actions", 2}});
   EXPECT_EQ(failure([&] { run(training); }),
             "rule: training worlds: expected the same observation and action columns in all of them, found others in "

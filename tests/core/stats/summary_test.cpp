@@ -10,6 +10,8 @@
 #include <ctime>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <optional>
 
 namespace wend::core {
 namespace {
@@ -209,6 +211,29 @@ TEST_F(SummaryTest, SnapshotsAreRowsAndCurves) {
   EXPECT_EQ(found["curves"][0], expected);
   EXPECT_EQ(found["curves"][1]["metric"], "collision");
   EXPECT_EQ(found["curves"][2]["points"], Json::parse("[[0,0.25,0.25,0.25],[2300,0.5,0.5,0.5]]"));
+}
+
+// What plugins tell in the tests of the final state, which may be that of the last snapshot.
+TEST_F(SummaryTest, SeriesAreThoseOfTheLastState) {
+  const auto plan_series = [&](const std::string& arm, std::uint64_t seed, std::optional<Budget> at, double y) {
+    plan(arm, "w", seed).at = at;
+    CellResult result = episodes({arrived});
+    result.curves = {{"best_fitness", "generation", {}, {{0, y}}}};
+    record(result);
+  };
+  for (std::uint64_t seed = 0; seed < 2; ++seed) {
+    plan_series("snapshots", seed, Budget{"samples", 300}, 1);
+    plan_series("snapshots", seed, Budget{"samples", 100}, 2);
+    plan_series("both", seed, Budget{"samples", 300}, 3);
+    plan_series("both", seed, std::nullopt, 4);
+  }
+  std::map<std::string, Json> series;
+  const Json found = summary();
+  for (const Json& curve : found["curves"])
+    if (curve["metric"] == "best_fitness") series[curve["arm"]] = curve["points"];
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series["snapshots"][0][1], 1.0);
+  EXPECT_EQ(series["both"][0][1], 4.0);
 }
 
 TEST_F(SummaryTest, CurvesOfTrainingsOverSeedsAndTheirTime) {

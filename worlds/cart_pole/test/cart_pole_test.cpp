@@ -152,9 +152,24 @@ TEST(CartPole, RefusesAStartThatHasFailed) {
   world.set("start_angle_deg", 13);
   EXPECT_FALSE(world.create());
   EXPECT_EQ(world.parameter(), "start_angle_deg");
-  EXPECT_EQ(world.error(), "expected at most angle_limit_deg, found more");
+  EXPECT_EQ(world.error(), "expected at most angle_limit_deg = 12, found 13");
+  World far;
+  far.set("start_position", 2.5);
+  EXPECT_FALSE(far.create());
+  EXPECT_EQ(far.parameter(), "start_position");
+  EXPECT_EQ(far.error(), "expected at most track = 2.4, found 2.5");
   World two;
   two.robots(2);
   EXPECT_FALSE(two.create());
   EXPECT_EQ(two.error(), "expected one cart in a world, found 2 robots");
+}
+
+TEST(CartPole, SaysWhereAStateStopsBeingNumbers) {
+  World world;
+  ASSERT_TRUE(world.set("force", 1e300).create());
+  world.reset();
+  world.step(1);
+  EXPECT_EQ(world.parameter(), "dt");
+  EXPECT_EQ(world.error(),
+            "step 1: the state is no longer finite; take a smaller dt, or less extreme masses and forces");
 }

@@ -177,6 +177,12 @@ TEST(GridMaze, RefusesWhatItCannotUse) {
   EXPECT_FALSE(two.create());
   EXPECT_EQ(two.error(), "expected one robot in a grid maze, found 2");
 
+  World half("woods1");
+  half.set("time_limit", 2.5);
+  EXPECT_FALSE(half.create());
+  EXPECT_EQ(half.parameter(), "time_limit");
+  EXPECT_EQ(half.error(), "expected a whole number of steps, a second each, found 2.5");
+
   World world("woods1");
   ASSERT_TRUE(world.create()) << world.error();
   world.reset({0}, 1, WEND_TEST);

@@ -137,6 +137,8 @@ TEST(Maze, BrokenMapsAreRefused) {
   EXPECT_EQ(message({"...", ".F", "..."}), "map/1: expected 3 cells, as in the first row; found 2");
   EXPECT_EQ(message({"...", "..F", ".#."}),
             "map/2: expected . or * (empty), O or Q (rock), F or G (food); found \"#\" in column 1");
+  EXPECT_EQ(message({"...", "..F", ".\xc3\xa9"}),
+            "map/2: expected . or * (empty), O or Q (rock), F or G (food); found another character in column 1");
   EXPECT_EQ(message({"...", ".O.", "..."}), "map: expected food, F or G, somewhere; found none");
   EXPECT_EQ(message({"FFF", "OOO", "GGG"}), "map: expected an empty cell to start in, found none");
   EXPECT_EQ(message({"...O.", "OOOO.", "..FO."}, Edge::rock),
