@@ -1,11 +1,10 @@
 // One decision's learning with both inner loops at their caps (80 + 100), 6-6-1 and 7-6-1, against the same loops
 // written naively with dynamic-size Eigen matrices, in turns in the same process; and the error against plain doubles.
-#include <time.h>
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <wend/testing_time.hpp>
 
 #include "../loops.hpp"
 #include "../test/plain_loops.hpp"
@@ -17,12 +16,6 @@ constexpr std::size_t inputs = 6, hidden = 6, decisions = 64, rounds = 25, slice
 constexpr double gain = 1;
 constexpr hdp::CriticTask critic_task{gain, 1, -4, 1e-3, 0, 80};
 constexpr hdp::ActorTask actor_task{gain, 4, 1e-4, 0, 100};
-
-double now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Eigen2 {  // hidden x inputs, and the row of output weights
   Eigen::MatrixXd first;
@@ -111,14 +104,14 @@ int main(int argc, char** argv) {
 
   double fast = 1e9, naive = 1e9, error = 0, kept = 0;
   for (std::size_t slice = 0; slice < slices; ++slice) {
-    const double start = now();
+    const double start = wend::testing::thread_seconds();
     for (std::size_t round = 0; round < rounds; ++round)
       for (const Situation& s : all) {
         hdp::Network a = actor, c = critic;
         fast_decision(a, c, s, with_action(s.x, 0), by_u);
         kept += a.second[0] + c.second[0];
       }
-    const double middle = now();
+    const double middle = wend::testing::thread_seconds();
     for (std::size_t round = 0; round < rounds; ++round)
       for (const Situation& s : all) {
         Eigen2 a(actor), c(critic);
@@ -126,7 +119,7 @@ int main(int argc, char** argv) {
                        Eigen::Map<const Eigen::VectorXd>(s.x.data(), static_cast<Eigen::Index>(inputs)));
         kept += a.second(0) + c.second(0);
       }
-    fast = std::min(fast, middle - start), naive = std::min(naive, now() - middle);
+    fast = std::min(fast, middle - start), naive = std::min(naive, wend::testing::thread_seconds() - middle);
   }
   asm volatile("" : : "g"(&kept) : "memory");
   for (const Situation& s : all) {

@@ -8,34 +8,22 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <limits>
 #include <string>
 #include <utility>
+#include <wend/testing_time.hpp>
 
 #include "avoidance.hpp"
 #include "dlib_lspi.hpp"
 
 namespace {
 
+using wend::testing::seconds_of;
+
 constexpr std::size_t samples_each = 10000;
 constexpr std::uint32_t actions = 3;
 constexpr double discount = 0.9, lambda = 10, still = 1e-9;
-
-double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-double seconds_of(Work&& work) {
-  const double begin = now();
-  const auto result = work();
-  asm volatile("" : : "r"(&result) : "memory");  // or the compiler would drop what nobody reads
-  return now() - begin;
-}
 
 // kB, from /proc/self/status: VmRSS is what is resident, VmHWM the most that was.
 double resident(const std::string& key) {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <string>
 #include <vector>
 #include <wend/random.hpp>
+#include <wend/testing_time.hpp>
 
 #include "../lssvm.hpp"
 
@@ -26,17 +26,11 @@ using Kernel = dlib::radial_basis_kernel<Sample>;
 
 volatile double sink;  // or the compiler would drop what nobody reads
 
-double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 template <class Work>
 double seconds(Work&& work) {
-  const double start = now();
+  const double start = wend::testing::thread_seconds();
   work();
-  return now() - start;
+  return wend::testing::thread_seconds() - start;
 }
 
 struct Problem {

@@ -4,11 +4,11 @@
 // Times are a thread's; the two take turns and the least of several turns counts.
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
+#include <wend/testing_time.hpp>
 
 #include "../canonical.hpp"
 #include "../test/multiplexer.hpp"
@@ -16,19 +16,7 @@
 
 namespace {
 
-double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-double seconds_of(Work&& work) {
-  const double begin = now();
-  const auto result = work();
-  asm volatile("" : : "r"(&result) : "memory");  // or the compiler would drop what nobody reads
-  return now() - begin;
-}
+using wend::testing::seconds_of;
 
 xcs::Parameters parameters_of(double limit, double p_hash) {
   xcs::Parameters parameters;
@@ -46,17 +34,8 @@ int learn(const xcs::testing::Multiplexer& world, const xcs::Parameters& paramet
   wend::Random random(seed);
   int right = 0;
   for (int t = 0; t < pairs; ++t) {
-    std::uint64_t state = world.draw(random);
-    population.match(&state, match);
-    operators.cover(population, &state, match, random);
-    xcs::Experience experience;
-    experience.state = &state;
-    experience.action = static_cast<std::uint32_t>(random.below(2));
-    experience.target = experience.action == world.answer(state) ? 1000 : 0;
-    advocates(population, match, experience.action, acted);
-    operators.update(population, experience, acted);
-    operators.discover(population, experience, acted, random);
-    state = world.draw(random);
+    xcs::testing::explore(world, operators, population, match, acted, random);
+    const std::uint64_t state = world.draw(random);
     population.match(&state, match);
     operators.cover(population, &state, match, random);
     operators.predict(population, match, predictions);

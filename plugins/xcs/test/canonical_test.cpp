@@ -281,17 +281,8 @@ int learn(std::size_t address, double limit, int trials, std::uint64_t seed, Pop
   wend::Random random(seed);
   int right = 0;
   for (int t = 0; t < trials; ++t) {
-    std::uint64_t state = world.draw(random);
-    population.match(&state, match);
-    operators.cover(population, &state, match, random);
-    xcs::Experience experience;
-    experience.state = &state;
-    experience.action = static_cast<std::uint32_t>(random.below(2));
-    experience.target = experience.action == world.answer(state) ? 1000 : 0;
-    advocates(population, match, experience.action, acted);
-    operators.update(population, experience, acted);
-    operators.discover(population, experience, acted, random);
-    state = world.draw(random);
+    xcs::testing::explore(world, operators, population, match, acted, random);
+    const std::uint64_t state = world.draw(random);
     population.match(&state, match);
     operators.predict(population, match, predictions);
     right += t >= trials - 1000 && xcs::best_action(predictions.array) == world.answer(state);

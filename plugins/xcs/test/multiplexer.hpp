@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <wend/random.hpp>
 
+#include "../canonical.hpp"
+
 namespace xcs::testing {
 
 struct Multiplexer {
@@ -16,5 +18,20 @@ struct Multiplexer {
     return static_cast<std::uint32_t>(state >> (address + chosen) & 1);
   }
 };
+
+// One exploring trial, as Butz & Wilson's single-step problems are learned.
+inline void explore(const Multiplexer& world, Canonical& operators, Population& population, RuleSet& match, RuleSet& acted,
+                    wend::Random& random) {
+  const std::uint64_t state = world.draw(random);
+  population.match(&state, match);
+  operators.cover(population, &state, match, random);
+  Experience experience;
+  experience.state = &state;
+  experience.action = static_cast<std::uint32_t>(random.below(2));
+  experience.target = experience.action == world.answer(state) ? 1000 : 0;
+  advocates(population, match, experience.action, acted);
+  operators.update(population, experience, acted);
+  operators.discover(population, experience, acted, random);
+}
 
 }  // namespace xcs::testing

@@ -86,20 +86,20 @@ Rays rays_of(bench::Loop& loop, int steps) {
 
 // Seconds a ray.
 double cast_all(const Box2d& box2d, const Rays& rays, std::vector<double>& ranges) {
-  const double begin = bench::now();
+  const double begin = wend::testing::thread_seconds();
   for (std::size_t k = 0; k < rays.size(); ++k) ranges[k] = box2d.cast(rays[k]);
   asm volatile("" : : "r"(ranges.data()) : "memory");
-  return (bench::now() - begin) / static_cast<double>(rays.size());
+  return (wend::testing::thread_seconds() - begin) / static_cast<double>(rays.size());
 }
 double cast_all(bench::Loop& loop, const Rays& rays, std::vector<double>& ranges) {
   std::vector<std::uint8_t> kinds(loop.rays.size());
-  const double begin = bench::now();
+  const double begin = wend::testing::thread_seconds();
   for (std::size_t k = 0; k < rays.size(); k += loop.rays.size())
     loop.arena.geometry->cast(loop.arena.self, loop.rows.data(), &rays[k], static_cast<std::uint32_t>(loop.rays.size()),
                               bench::reach, WEND_WALL | WEND_OBSTACLE | WEND_MOVER | WEND_ROBOT, &ranges[k],
                               kinds.data());
   asm volatile("" : : "r"(ranges.data()) : "memory");
-  return (bench::now() - begin) / static_cast<double>(rays.size());
+  return (wend::testing::thread_seconds() - begin) / static_cast<double>(rays.size());
 }
 
 // The robots of the course in Box2D.  One that touches something goes back to where it began, at no cost to Box2D.
@@ -125,14 +125,14 @@ struct Robots {
     }
   }
   double measure(double seconds) {
-    const double begin = bench::now();
+    const double begin = wend::testing::thread_seconds();
     std::uint64_t steps = 0;
     do {
       for (int k = 0; k < 20; ++k) step();
       steps += 20 * poses.size();
-    } while (bench::now() - begin < seconds);
+    } while (wend::testing::thread_seconds() - begin < seconds);
     asm volatile("" : : "r"(poses.data()) : "memory");
-    return (bench::now() - begin) / static_cast<double>(steps);
+    return (wend::testing::thread_seconds() - begin) / static_cast<double>(steps);
   }
 };
 

@@ -5,28 +5,24 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 #include <wend/plugin.hpp>
+#include <wend/testing_time.hpp>
 
 #include "../scenes/scene_file.hpp"
 
 namespace bench {
 
+using wend::testing::thread_seconds;
+
 inline constexpr std::uint32_t copies = 64, beams = 6;
 inline constexpr double reach = 8;                                                     // m
 inline constexpr double axes[beams] = {1.3, 0.8, 0.25, -0.25, -0.8, -1.3};             // rad
 inline constexpr double radius = 0.3, half_track = 0.2, wheel_radius = 0.1, dt = 0.1;  // of the robot, m and s
-
-inline double now() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 // Discs of 0.3 to 1.2 m; a quarter of that where they are many.  The goal is too small to be met.
 inline arena::Scene scene_of(int n) {
@@ -147,13 +143,13 @@ struct Loop {
       if (outcomes[c].flags != 0) restart(c);
   }
   void restart(std::uint32_t copy) {
-    const double begin = now();
+    const double begin = thread_seconds();
     arena.reset(copy, episodes++);
     outcomes[copy].flags = 0;
-    restarting += now() - begin;
+    restarting += thread_seconds() - begin;
   }
   double measure(double seconds) {
-    const double begin = now();
+    const double begin = thread_seconds();
     restarting = 0;
     std::uint64_t steps = 0;
     do {
@@ -165,9 +161,9 @@ struct Loop {
         }
       }
       steps += 50 * copies;
-    } while (now() - begin < seconds);
+    } while (thread_seconds() - begin < seconds);
     asm volatile("" : : "r"(ranges.data()) : "memory");  // or the compiler would drop what nobody reads
-    return (now() - begin - restarting) / static_cast<double>(steps);
+    return (thread_seconds() - begin - restarting) / static_cast<double>(steps);
   }
 };
 
